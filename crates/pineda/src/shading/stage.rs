@@ -1,0 +1,112 @@
+//! A fragment stage at one width: any shader at any width, or a closure at the native one.
+
+use super::{Frag, FragmentKind, Shader, Varyings};
+use crate::lanes::{Lanes, Packet};
+use crate::math::Rgba;
+use core::marker::PhantomData;
+use fearless_simd::Level;
+
+/// What runs for a packet of fragments of width `L`.
+pub(crate) trait FragmentStage<L: Lanes> {
+    /// The varyings at this width.
+    type V: Varyings<L>;
+    /// What the stage may do.
+    type Kind: FragmentKind;
+    /// Whether lanes may be discarded.
+    const DISCARDS: bool = <Self::Kind as FragmentKind>::DISCARDS;
+    /// Whether `dx` and `dy` must be filled in.
+    const DERIVATIVES: bool = <Self::Kind as FragmentKind>::DERIVATIVES;
+    /// The colours of the fragments in `f`.
+    fn run(&self, f: &mut Frag<L, Self::V, Self::Kind>) -> Rgba<L>;
+}
+
+impl<L: Lanes, Sh: Shader> FragmentStage<L> for Sh {
+    type V = Sh::Varyings<L>;
+    type Kind = Sh;
+    #[inline(always)]
+    fn run(&self, f: &mut Frag<L, Self::V, Sh>) -> Rgba<L> {
+        self.fragment(f)
+    }
+}
+
+/// What a closure may do as a fragment stage: neither discard nor read derivatives.
+#[derive(Clone, Copy, Debug)]
+pub enum ClosureKind {}
+
+impl FragmentKind for ClosureKind {
+    const DISCARDS: bool = false;
+    const DERIVATIVES: bool = false;
+}
+
+/// What a fragment closure with the varyings `V` receives: sixteen fragments at the width [`Native`].
+pub type ClosureFragment<V> = Frag<Native, V, ClosureKind>;
+
+/// A closure as a fragment stage. A closure is not generic, so it has one width only: [`Native`].
+pub(crate) struct Closure<F, V> {
+    fragment: F,
+    varyings: PhantomData<fn() -> V>,
+}
+
+impl<F: Fn(&mut ClosureFragment<V>) -> Rgba<Native>, V: Varyings<Native>> Closure<F, V> {
+    pub(crate) fn new(fragment: F) -> Self {
+        Self { fragment, varyings: PhantomData }
+    }
+}
+
+impl<F: Fn(&mut ClosureFragment<V>) -> Rgba<Native>, V: Varyings<Native>> FragmentStage<Native> for Closure<F, V> {
+    type V = V;
+    type Kind = ClosureKind;
+    #[inline(always)]
+    fn run(&self, f: &mut ClosureFragment<V>) -> Rgba<Native> {
+        (self.fragment)(f)
+    }
+}
+
+/// The SIMD level that this target has without asking the CPU.
+macro_rules! native_level {
+    ($([$condition:meta] $level:ty, $as_level:ident);+ $(;)?) => {$(
+        #[cfg($condition)]
+        mod native {
+            /// The token of the target's baseline level.
+            pub(super) type Token = $level;
+            /// The token itself: the baseline is known to be there when the program is compiled.
+            #[inline(always)]
+            pub(super) fn token() -> Token {
+                super::Level::baseline().$as_level().expect("the target's baseline level")
+            }
+        }
+    )+};
+}
+
+native_level! {
+    [all(any(target_arch = "x86", target_arch = "x86_64"), target_feature = "sse2", target_feature = "fxsr")]
+        fearless_simd::x86::Sse2, as_sse2;
+    [all(target_arch = "aarch64", target_feature = "neon")] fearless_simd::aarch64::Neon, as_neon;
+    [all(target_arch = "wasm32", target_feature = "simd128")] fearless_simd::wasm32::WasmSimd128, as_wasm_simd128;
+}
+
+/// Targets without a baseline level run closures on plain arrays.
+#[cfg(not(any(
+    all(any(target_arch = "x86", target_arch = "x86_64"), target_feature = "sse2", target_feature = "fxsr"),
+    all(target_arch = "aarch64", target_feature = "neon"),
+    all(target_arch = "wasm32", target_feature = "simd128")
+)))]
+mod native {
+    pub(super) type Token = fearless_simd::Fallback;
+    #[inline(always)]
+    pub(super) fn token() -> Token {
+        match super::Level::baseline() {
+            super::Level::Fallback(token) => token,
+        }
+    }
+}
+
+/// The width that closures run at: sixteen lanes at the level which the target has without asking the CPU. That is SSE2
+/// on x86-64, NEON on ARM, simd128 on WebAssembly where it is switched on.
+pub type Native = Packet<native::Token>;
+
+/// The permission to use [`Native`].
+#[inline(always)]
+pub(crate) fn native() -> Native {
+    Packet(native::token())
+}
