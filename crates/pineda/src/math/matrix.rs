@@ -7,8 +7,19 @@ use core::ops::Mul;
 /// A 4 x 4 matrix: four columns of plain `f32`, the same for every lane. `m * v` maps the column vector `v`, and
 /// `a * b` maps by `b` first.
 ///
-/// The constructors and the products compute in `f64` and round each element once, with `libm`'s functions, so a
-/// camera has the same bits on every platform. `matrix * vector` is `f32`, from the first column to the last.
+/// The constructors, the products and the inverse compute in `f64`, with `libm`'s functions, and round each element
+/// once, so a camera has the same bits on every platform. `matrix * vector` is `f32`, summed from the first column on.
+///
+/// The views and projections ([`look_at`](Self::look_at), [`perspective`](Self::perspective),
+/// [`orthographic`](Self::orthographic)) are here too:
+///
+/// ```
+/// # use pineda::{Mat4, Vec3, Vec4};
+/// let view = Mat4::look_at([0.0, 1.0, 3.0], [0.0, 1.0, 0.0], [0.0, 1.0, 0.0]);
+/// let camera = Mat4::perspective(0.8, 16.0 / 9.0, 0.1, 100.0) * view;
+/// let clip = camera * Vec3::from([0.0, 1.0, 0.0]).extend(1.0);
+/// assert_eq!((clip.x, clip.y, clip.w), (0.0.into(), 0.0.into(), 3.0.into()));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Mat4(pub [[f32; 4]; 4]);
 
@@ -16,6 +27,108 @@ impl Mat4 {
     /// Maps every vector to itself.
     pub const IDENTITY: Self =
         Self([[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 0.0, 1.0]]);
+
+    /// Moves points by `by`, and leaves directions (w = 0) alone.
+    #[must_use]
+    pub const fn translation(by: [f32; 3]) -> Self {
+        let [x, y, z] = by;
+        Self([[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0], [x, y, z, 1.0]])
+    }
+
+    /// Stretches along the axes.
+    #[must_use]
+    pub const fn scale(by: [f32; 3]) -> Self {
+        let [x, y, z] = by;
+        Self([[x, 0.0, 0.0, 0.0], [0.0, y, 0.0, 0.0], [0.0, 0.0, z, 0.0], [0.0, 0.0, 0.0, 1.0]])
+    }
+
+    /// Turns about the x axis, from y towards z.
+    #[must_use]
+    pub fn rotation_x(radians: f32) -> Self {
+        let (sin, cos) = sin_cos(radians);
+        Self([[1.0, 0.0, 0.0, 0.0], [0.0, cos, sin, 0.0], [0.0, -sin, cos, 0.0], [0.0, 0.0, 0.0, 1.0]])
+    }
+
+    /// Turns about the y axis, from z towards x.
+    #[must_use]
+    pub fn rotation_y(radians: f32) -> Self {
+        let (sin, cos) = sin_cos(radians);
+        Self([[cos, 0.0, -sin, 0.0], [0.0, 1.0, 0.0, 0.0], [sin, 0.0, cos, 0.0], [0.0, 0.0, 0.0, 1.0]])
+    }
+
+    /// Turns about the z axis, from x towards y.
+    #[must_use]
+    pub fn rotation_z(radians: f32) -> Self {
+        let (sin, cos) = sin_cos(radians);
+        Self([[cos, sin, 0.0, 0.0], [-sin, cos, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 0.0, 1.0]])
+    }
+
+    /// Rows and columns exchanged. `m.inverse()?.transpose()` is the matrix for normals where `m` is the one for points.
+    #[must_use]
+    pub const fn transpose(self) -> Self {
+        let [a, b, c, d] = self.0;
+        Self([[a[0], b[0], c[0], d[0]], [a[1], b[1], c[1], d[1]], [a[2], b[2], c[2], d[2]], [a[3], b[3], c[3], d[3]]])
+    }
+
+    /// The matrix that undoes this one; `None` where none does (the determinant is 0, or not finite).
+    #[must_use]
+    pub fn inverse(self) -> Option<Self> {
+        let m = self.to_f64();
+        // Laplace's expansion by pairs of columns: the 2 x 2 minors of the first two, and of the last two.
+        let minor = |columns: [usize; 2], rows: [usize; 2]| {
+            m[columns[0]][rows[0]] * m[columns[1]][rows[1]] - m[columns[0]][rows[1]] * m[columns[1]][rows[0]]
+        };
+        const PAIRS: [[usize; 2]; 6] = [[0, 1], [0, 2], [0, 3], [1, 2], [1, 3], [2, 3]];
+        let s = PAIRS.map(|rows| minor([0, 1], rows));
+        let c = PAIRS.map(|rows| minor([2, 3], rows));
+        let determinant = s[0] * c[5] - s[1] * c[4] + s[2] * c[3] + s[3] * c[2] - s[4] * c[1] + s[5] * c[0];
+        if determinant == 0.0 || !determinant.is_finite() {
+            return None;
+        }
+        let adjugate = [
+            [
+                m[1][1] * c[5] - m[1][2] * c[4] + m[1][3] * c[3],
+                -m[0][1] * c[5] + m[0][2] * c[4] - m[0][3] * c[3],
+                m[3][1] * s[5] - m[3][2] * s[4] + m[3][3] * s[3],
+                -m[2][1] * s[5] + m[2][2] * s[4] - m[2][3] * s[3],
+            ],
+            [
+                -m[1][0] * c[5] + m[1][2] * c[2] - m[1][3] * c[1],
+                m[0][0] * c[5] - m[0][2] * c[2] + m[0][3] * c[1],
+                -m[3][0] * s[5] + m[3][2] * s[2] - m[3][3] * s[1],
+                m[2][0] * s[5] - m[2][2] * s[2] + m[2][3] * s[1],
+            ],
+            [
+                m[1][0] * c[4] - m[1][1] * c[2] + m[1][3] * c[0],
+                -m[0][0] * c[4] + m[0][1] * c[2] - m[0][3] * c[0],
+                m[3][0] * s[4] - m[3][1] * s[2] + m[3][3] * s[0],
+                -m[2][0] * s[4] + m[2][1] * s[2] - m[2][3] * s[0],
+            ],
+            [
+                -m[1][0] * c[3] + m[1][1] * c[1] - m[1][2] * c[0],
+                m[0][0] * c[3] - m[0][1] * c[1] + m[0][2] * c[0],
+                -m[3][0] * s[3] + m[3][1] * s[1] - m[3][2] * s[0],
+                m[2][0] * s[3] - m[2][1] * s[1] + m[2][2] * s[0],
+            ],
+        ];
+        // `adjugate` is written in rows, as the formula is; the matrix is stored in columns.
+        let mut inverse = [[0.0; 4]; 4];
+        for (row, elements) in adjugate.iter().enumerate() {
+            for (column, element) in elements.iter().enumerate() {
+                inverse[column][row] = element / determinant;
+            }
+        }
+        Some(Self::from_f64(inverse))
+    }
+
+    /// Each element rounded once.
+    pub(crate) fn from_f64(columns: [[f64; 4]; 4]) -> Self {
+        Self(columns.map(|column| column.map(|element| element as f32)))
+    }
+
+    fn to_f64(self) -> [[f64; 4]; 4] {
+        self.0.map(|column| column.map(f64::from))
+    }
 }
 
 impl Default for Mat4 {
@@ -29,7 +142,7 @@ impl<L: Lanes> Mul<Vec4<L>> for Mat4 {
     type Output = Vec4<L>;
     #[inline(always)]
     fn mul(self, v: Vec4<L>) -> Vec4<L> {
-        let [a, b, c, d]: [[f32; 4]; 4] = self.0;
+        let [a, b, c, d] = self.0;
         a * v.x + b * v.y + c * v.z + d * v.w
     }
 }
@@ -37,16 +150,19 @@ impl<L: Lanes> Mul<Vec4<L>> for Mat4 {
 impl Mul for Mat4 {
     type Output = Self;
     fn mul(self, b: Self) -> Self {
+        let (a, b) = (self.to_f64(), b.to_f64());
         let mut product = [[0.0; 4]; 4];
-        for (column, b) in product.iter_mut().zip(b.0) {
+        for (column, factors) in product.iter_mut().zip(b) {
             for (row, element) in column.iter_mut().enumerate() {
-                let mut sum = 0.0;
-                for (a, b) in self.0.iter().zip(b) {
-                    sum += f64::from(a[row]) * f64::from(b);
-                }
-                *element = sum as f32;
+                *element =
+                    a[0][row] * factors[0] + a[1][row] * factors[1] + a[2][row] * factors[2] + a[3][row] * factors[3];
             }
         }
-        Self(product)
+        Self::from_f64(product)
     }
+}
+
+fn sin_cos(radians: f32) -> (f32, f32) {
+    let (sin, cos) = libm::sincos(f64::from(radians));
+    (sin as f32, cos as f32)
 }

@@ -11,9 +11,11 @@
 
 mod boolean;
 mod color;
+mod exponential;
 mod matrix;
 mod operand;
 mod real;
+mod trigonometry;
 mod vector;
 
 pub use boolean::{Bool, Select};

@@ -25,6 +25,18 @@ impl<L: Lanes> Real<L> {
         Self(lanes.splat(x))
     }
 
+    /// The lanes from the first `N` numbers of `a`: 1 or 16. Panics if there are fewer.
+    #[inline(always)]
+    pub fn load(lanes: L, a: &[f32]) -> Self {
+        Self(lanes.load(a))
+    }
+
+    /// Writes the lanes to the first `N` places of `out`: 1 or 16. Panics if there are fewer.
+    #[inline(always)]
+    pub fn store(self, out: &mut [f32]) {
+        L::store(self.0, out);
+    }
+
     /// The width of this number.
     #[inline(always)]
     pub fn lanes(self) -> L {

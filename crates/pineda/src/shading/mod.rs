@@ -5,6 +5,12 @@ mod shader;
 mod stage;
 mod varyings;
 
+mod blend;
+pub(crate) mod interpolate;
+pub(crate) mod run;
+pub(crate) mod shade;
+pub(crate) mod weights;
+
 pub(crate) use fragment::FragParts;
 pub use fragment::{Frag, Fragment, FragmentKind};
 pub use shader::Shader;

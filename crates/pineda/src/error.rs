@@ -1,0 +1,92 @@
+use crate::settings::Simd;
+
+/// What can be wrong with a pass, a target or the settings.
+///
+/// Every error is found before anything is drawn: a target that comes back with an error holds what it held before.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum Error {
+    /// A width or height of 0, or beyond [`MAX_SIZE`](crate::MAX_SIZE).
+    #[error("a target of {width} x {height} pixels cannot be drawn: both sides must lie in 1 to {}", crate::MAX_SIZE)]
+    TargetSize {
+        /// Pixels across.
+        width: u32,
+        /// Pixels down.
+        height: u32,
+    },
+    /// A buffer of the target does not hold one element for each pixel.
+    #[error("the target's {buffer} buffer holds {length} elements, but {width} x {height} pixels need {expected}")]
+    BufferLength {
+        /// The field of [`Target`](crate::Target).
+        buffer: &'static str,
+        /// Its length.
+        length: usize,
+        /// Width times height.
+        expected: usize,
+        /// Pixels across.
+        width: u32,
+        /// Pixels down.
+        height: u32,
+    },
+    /// The number of indices (or of vertices, without indices) is not a multiple of three.
+    #[error("draw {draw}: {count} {what} do not make whole triangles; give a multiple of three")]
+    PartialTriangle {
+        /// The draw's number in its pass, from 0.
+        draw: usize,
+        /// How many there are.
+        count: usize,
+        /// `indices` or `vertices`.
+        what: &'static str,
+    },
+    /// An index names a vertex that is not there.
+    #[error("draw {draw}: index {index} at position {position} is out of range: there are {vertices} vertices")]
+    IndexOutOfRange {
+        /// The draw's number in its pass, from 0.
+        draw: usize,
+        /// The first index that is out of range.
+        index: u32,
+        /// Where it stands in the index buffer.
+        position: usize,
+        /// The number of vertices.
+        vertices: usize,
+    },
+    /// More than 2^32 - 1 vertices, or 2^32 - 1 triangles, in one draw.
+    #[error("draw {draw}: {count} {what} are more than 32-bit numbers can name; split the draw")]
+    TooMany {
+        /// The draw's number in its pass, from 0.
+        draw: usize,
+        /// How many there are.
+        count: usize,
+        /// `vertices` or `triangles`.
+        what: &'static str,
+    },
+    /// A viewport with a non-finite side, a negative size, or one that is out of range.
+    #[error("draw {draw}: the viewport is not usable: {reason}")]
+    Viewport {
+        /// The draw's number in its pass, from 0.
+        draw: usize,
+        /// What is wrong with it.
+        reason: &'static str,
+    },
+    /// The SIMD level was named, and this CPU or build does not have it.
+    #[error("this machine has no {asked}; it has {}", list(.available))]
+    SimdUnavailable {
+        /// The level that was asked for.
+        asked: Simd,
+        /// The levels that can be asked for here.
+        available: Vec<Simd>,
+    },
+    /// The system has no memory for what the pass needs.
+    #[error("no memory for {bytes} bytes of {what}; draw a smaller target, or lower `Settings::memory`")]
+    OutOfMemory {
+        /// What was to be allocated.
+        bytes: usize,
+        /// What for.
+        what: &'static str,
+    },
+}
+
+fn list(levels: &[Simd]) -> String {
+    let names: Vec<String> = levels.iter().map(Simd::to_string).collect();
+    names.join(", ")
+}

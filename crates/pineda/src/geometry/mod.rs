@@ -1,0 +1,5 @@
+//! Vertices: from the shader's positions to snapped points of the raster.
+
+pub(crate) mod clip;
+pub(crate) mod project;
+pub(crate) mod raster_space;

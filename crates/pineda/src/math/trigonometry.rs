@@ -1,0 +1,57 @@
+//! Sine and cosine, from polynomials of our own: the same bits everywhere, as in `exponential.rs`.
+//!
+//! The angle is brought to within an eighth of a turn of 0 by subtracting a multiple of a quarter turn (Cody and
+//! Waite: the quarter turn comes in three parts, of which the first two have so few bits that their multiples are
+//! exact), and the quadrant says which polynomial, and with which sign. The fits: `tools/minimax.py`.
+
+use super::Real;
+use super::exponential::{ROUND, horner};
+use crate::lanes::Lanes;
+use core::f32::consts::FRAC_2_PI;
+
+/// π/2 in three parts of 8, 11 and 24 bits.
+const QUARTER: [f32; 3] = [1.570_312_5, 4.837_512_969_970_703e-4, 7.549_789_954_891_88e-8];
+
+/// Angles beyond are taken for 0: there, neighbouring floats are so far apart that no digit of a sine is left to a
+/// shader, and the number of quarter turns must fit the low bits of [`ROUND`].
+const LARGEST: f32 = 1_048_576.0; // 2^20
+
+impl<L: Lanes> Real<L> {
+    /// The sine of `self` radians: to 2 ULP within ±2π, and to 1e-7 within ±8192 (which includes 0 at the zeros'
+    /// neighbours). Beyond, the error grows to the spacing of the floats themselves; beyond ±2^20 the result is 0. It is
+    /// always from -1 to 1; NaN for infinities and NaN.
+    #[inline(always)]
+    pub fn sin(self) -> Self {
+        self.sin_cos().0
+    }
+
+    /// The cosine of `self` radians: as exact as [`sin`](Self::sin); beyond ±2^20 the result is 1.
+    #[inline(always)]
+    pub fn cos(self) -> Self {
+        self.sin_cos().1
+    }
+
+    /// Sine and cosine of `self` radians, for the price of one and a half.
+    #[inline(always)]
+    pub fn sin_cos(self) -> (Self, Self) {
+        let lanes = self.lanes();
+        // An infinity times 0 is NaN.
+        let angle = self.abs().le(LARGEST).select(self, self * 0.0);
+        let shifted = angle * FRAC_2_PI + ROUND;
+        let quarters = shifted - ROUND;
+        let x = ((angle - quarters * QUARTER[0]) - quarters * QUARTER[1]) - quarters * QUARTER[2];
+
+        let z = x * x;
+        let sin = x + x * z * horner!(z; -0.166_666_55, 0.008_332_178, -0.000_195_172_98);
+        let cos = (1.0 - 0.5 * z) + z * z * horner!(z; 0.041_666_646, -0.001_388_731_6, 2.443_315_7e-5);
+
+        let quadrant = L::f_bits(shifted.0);
+        let odd = L::ieq(L::iand(quadrant, lanes.int(1)), lanes.int(1));
+        let (first, second) = (L::select(odd, cos.0, sin.0), L::select(odd, sin.0, cos.0));
+        // Quadrants 2 and 3 turn the sine's sign, 1 and 2 the cosine's: bit 1 of the quadrant, and of the next one.
+        let sign = lanes.int(i32::MIN);
+        let sin_sign = L::iand(L::ishl(quadrant, 30), sign);
+        let cos_sign = L::iand(L::ishl(L::iadd(quadrant, lanes.int(1)), 30), sign);
+        (Self(L::bits_f(L::ixor(L::f_bits(first), sin_sign))), Self(L::bits_f(L::ixor(L::f_bits(second), cos_sign))))
+    }
+}

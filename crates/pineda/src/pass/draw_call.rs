@@ -1,0 +1,199 @@
+//! A draw with its shader erased: what a pass holds. Inside, everything is compiled for the shader and for each SIMD level.
+
+use super::{DrawState, Indices, Mesh};
+use crate::geometry::project::Projection;
+use crate::geometry::raster_space::ScreenVertex;
+use crate::lanes::Scalar;
+use crate::math::{Real, Rgba, Vec4};
+use crate::shading::run::{RECORD_HEADER, RunView, Source, record_words};
+use crate::shading::shade::{Packets, ShadedTile, shade};
+use crate::shading::{Closure, ClosureFragment, FragmentKind, MAX_VARYINGS, Native, Shader, Varyings, native};
+use fearless_simd::{Level, Simd, dispatch};
+
+/// A mesh, a shader and a state.
+pub(crate) trait DrawCall: Sync {
+    fn state(&self) -> &DrawState;
+    fn indices(&self) -> Indices<'_>;
+    fn vertex_count(&self) -> usize;
+    /// Words of a vertex record.
+    fn record_words(&self) -> usize;
+    fn discards(&self) -> bool;
+    /// The position of one vertex.
+    fn position(&self, vertex: usize) -> [f32; 4];
+    /// Runs the vertex stage for the vertices at places `first_place` on, as many as there are screen vertices.
+    fn run_vertices(&self, level: Level, job: VertexJob<'_>);
+    /// Runs the fragment stage.
+    fn run_fragments(&self, level: Level, run: &RunView<'_>, packets: Packets<'_>, tile: ShadedTile<'_>);
+}
+
+/// Vertices to be shaded, and where to put them.
+pub(crate) struct VertexJob<'a> {
+    pub(crate) source: Source<'a>,
+    pub(crate) first_place: usize,
+    pub(crate) projection: &'a Projection,
+    pub(crate) screen: &'a mut [ScreenVertex],
+    pub(crate) records: &'a mut [u32],
+}
+
+/// A draw with a [`Shader`].
+pub(crate) struct ShaderDraw<'a, Sh: Shader> {
+    pub(crate) shader: &'a Sh,
+    pub(crate) mesh: Mesh<'a, Sh::Vertex>,
+    pub(crate) state: DrawState,
+}
+
+/// A vertex stage as a function.
+trait VertexStage<In, V> {
+    fn run(&self, vertex: &In) -> (Vec4, V);
+}
+
+impl<Sh: Shader> VertexStage<Sh::Vertex, Sh::Varyings<Scalar>> for Sh {
+    #[inline(always)]
+    fn run(&self, vertex: &Sh::Vertex) -> (Vec4, Sh::Varyings<Scalar>) {
+        self.vertex(vertex)
+    }
+}
+
+impl<Sh: Shader> DrawCall for ShaderDraw<'_, Sh> {
+    fn state(&self) -> &DrawState {
+        &self.state
+    }
+
+    fn indices(&self) -> Indices<'_> {
+        self.mesh.indices
+    }
+
+    fn vertex_count(&self) -> usize {
+        self.mesh.vertices.len()
+    }
+
+    fn record_words(&self) -> usize {
+        record_words(<Sh::Varyings<Scalar> as Varyings<Scalar>>::LEN)
+    }
+
+    fn discards(&self) -> bool {
+        <Sh as FragmentKind>::DISCARDS
+    }
+
+    fn position(&self, vertex: usize) -> [f32; 4] {
+        array(self.shader.vertex(&self.mesh.vertices[vertex]).0)
+    }
+
+    fn run_vertices(&self, level: Level, job: VertexJob<'_>) {
+        dispatch!(level, s => run_vertices(s, self.shader, self.mesh.vertices, job));
+    }
+
+    fn run_fragments(&self, level: Level, run: &RunView<'_>, packets: Packets<'_>, mut tile: ShadedTile<'_>) {
+        let position = |vertex: usize| self.position(vertex);
+        dispatch!(level, s => shade(s, self.shader, run, &position, packets, &mut tile));
+    }
+}
+
+/// A draw with closures.
+pub(crate) struct ClosureDraw<'a, In, T: Varyings<Scalar>, V, F> {
+    pub(crate) vertex: V,
+    pub(crate) fragment: Closure<F, T::At<Native>>,
+    pub(crate) mesh: Mesh<'a, In>,
+    pub(crate) state: DrawState,
+}
+
+/// A vertex closure as a stage.
+struct VertexClosure<'a, V>(&'a V);
+
+impl<In, T, V: Fn(&In) -> (Vec4, T)> VertexStage<In, T> for VertexClosure<'_, V> {
+    #[inline(always)]
+    fn run(&self, vertex: &In) -> (Vec4, T) {
+        (self.0)(vertex)
+    }
+}
+
+impl<In, T, V, F> DrawCall for ClosureDraw<'_, In, T, V, F>
+where
+    In: Sync,
+    T: Varyings<Scalar>,
+    V: Fn(&In) -> (Vec4, T) + Sync,
+    F: Fn(&mut ClosureFragment<T::At<Native>>) -> Rgba<Native> + Sync,
+{
+    fn state(&self) -> &DrawState {
+        &self.state
+    }
+
+    fn indices(&self) -> Indices<'_> {
+        self.mesh.indices
+    }
+
+    fn vertex_count(&self) -> usize {
+        self.mesh.vertices.len()
+    }
+
+    fn record_words(&self) -> usize {
+        record_words(T::LEN)
+    }
+
+    fn discards(&self) -> bool {
+        false
+    }
+
+    fn position(&self, vertex: usize) -> [f32; 4] {
+        array((self.vertex)(&self.mesh.vertices[vertex]).0)
+    }
+
+    fn run_vertices(&self, level: Level, job: VertexJob<'_>) {
+        dispatch!(level, s => run_vertices::<_, In, T>(s, &VertexClosure(&self.vertex), self.mesh.vertices, job));
+    }
+
+    fn run_fragments(&self, _: Level, run: &RunView<'_>, packets: Packets<'_>, mut tile: ShadedTile<'_>) {
+        let position = |vertex: usize| self.position(vertex);
+        shade(native().0, &self.fragment, run, &position, packets, &mut tile);
+    }
+}
+
+#[inline(always)]
+fn array(v: Vec4) -> [f32; 4] {
+    [v.x.0, v.y.0, v.z.0, v.w.0]
+}
+
+/// Sixteen vertices at a time: the user's stage one by one, the projection in the lanes.
+#[inline(always)]
+fn run_vertices<S: Simd, In, V: Varyings<Scalar>>(
+    s: S,
+    stage: &impl VertexStage<In, V>,
+    vertices: &[In],
+    job: VertexJob<'_>,
+) {
+    let words = record_words(V::LEN);
+    let VertexJob { source, first_place, projection, screen, records } = job;
+    let mut at = 0;
+    while at < screen.len() {
+        let count = (screen.len() - at).min(16);
+        let mut positions = [[0.0, 0.0, 0.0, 1.0]; 16];
+        let mut k = 0;
+        while k < count {
+            let vertex = &vertices[source.vertex(first_place + at + k)];
+            let (position, varyings) = stage.run(vertex);
+            positions[k] = array(position);
+            let record = &mut records[(at + k) * words..(at + k + 1) * words];
+            let mut row = [Real(0.0); MAX_VARYINGS];
+            varyings.write(&mut row);
+            let mut i = 0;
+            while i < V::LEN {
+                record[RECORD_HEADER + i] = row[i].0.to_bits();
+                i += 1;
+            }
+            k += 1;
+        }
+        let mut projected = [ScreenVertex::default(); 16];
+        projection.project(s, &positions, &mut projected);
+        let mut k = 0;
+        while k < count {
+            let vertex = projected[k];
+            screen[at + k] = vertex;
+            let record = &mut records[(at + k) * words..(at + k + 1) * words];
+            record[0] = vertex.0[0];
+            record[1] = vertex.0[1];
+            record[2] = vertex.0[3];
+            k += 1;
+        }
+        at += 16;
+    }
+}

@@ -1,0 +1,218 @@
+//! Cutting a pass into batches that fit the memory that it may use.
+//!
+//! A batch is a stretch of the pass's triangles, in submission order, that goes through all stages at once. Mostly there is one. Where
+//! there are more, each is drawn to the target before the next: the target holds all that there is between two draws, so that
+//! it makes no difference to any bit.
+
+use super::validate::{DrawExtent, smallest_and_largest};
+use super::{Blend, Compare, Indices, Pass, Viewport};
+use crate::geometry::project::Projection;
+use crate::raster::corners::Corners;
+use crate::raster::setup::PixelRect;
+use crate::raster::triangle_id::MAX_BATCH_TRIANGLES;
+use crate::shading::run::Source;
+use std::ops::Range;
+
+/// Bytes that a triangle takes in records and bins, about.
+const TRIANGLE_BYTES: usize = 56;
+/// Bytes of a screen vertex.
+const SCREEN_VERTEX_BYTES: usize = 16;
+/// No batch is made smaller than this.
+const LEAST_MEMORY: usize = 1 << 20;
+
+/// A stretch of one draw's triangles.
+#[derive(Clone, Debug)]
+pub(crate) struct Run<'p> {
+    pub(crate) draw: usize,
+    /// The first of its triangles, as the draw counts them, and how many there are.
+    pub(crate) first_triangle: usize,
+    pub(crate) triangles: usize,
+    /// The number of its first triangle in the batch.
+    pub(crate) first_number: usize,
+    pub(crate) corners: Corners<'p>,
+    pub(crate) source: Source<'p>,
+    /// Where its vertices stand in the batch's screen vertices, and their records' words.
+    pub(crate) screen: Range<usize>,
+    pub(crate) records: Range<usize>,
+    pub(crate) projection: Projection,
+    /// What its draw can cover.
+    pub(crate) rect: PixelRect,
+    pub(crate) segment: usize,
+}
+
+/// Consecutive runs that tiles treat alike.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Segment {
+    pub(crate) kind: SegmentKind,
+    /// What can be covered, if that is not the whole target.
+    pub(crate) rect: Option<PixelRect>,
+}
+
+/// How a segment's triangles become pixels.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum SegmentKind {
+    /// Visibility first, shading when all of the batch is in.
+    Deferred(Compare),
+    /// Fragment by fragment, in order, with this run's shader.
+    Ordered { run: usize },
+}
+
+/// What goes through the stages at once.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Batch<'p> {
+    pub(crate) runs: Vec<Run<'p>>,
+    pub(crate) segments: Vec<Segment>,
+    pub(crate) triangles: usize,
+    pub(crate) screen_vertices: usize,
+    pub(crate) record_words: usize,
+    bytes: usize,
+}
+
+/// Cuts a valid pass into at least one batch.
+pub(crate) fn plan<'p>(
+    pass: &'p Pass<'_>,
+    extents: &[DrawExtent],
+    width: u32,
+    height: u32,
+    memory: usize,
+) -> Vec<Batch<'p>> {
+    let budget = memory.max(LEAST_MEMORY);
+    let mut batches = vec![Batch::default()];
+    for (draw, extent) in extents.iter().enumerate() {
+        let mut first = 0;
+        while first < extent.triangles {
+            let last = batches.len() - 1;
+            let room = budget - batches[last].bytes.min(budget);
+            let room_for = MAX_BATCH_TRIANGLES - batches[last].triangles;
+            let is_fresh = batches[last].runs.is_empty();
+            match piece(pass, extent, draw, first, room, room_for, is_fresh) {
+                Some(piece) => {
+                    first += piece.triangles;
+                    batches[last].push(pass, draw, piece, width, height);
+                }
+                None => batches.push(Batch::default()),
+            }
+        }
+    }
+    batches
+}
+
+/// Triangles of a draw from some first one on, and the vertices that are shaded for them.
+struct Piece<'p> {
+    first: usize,
+    triangles: usize,
+    corners: Corners<'p>,
+    source: Source<'p>,
+    vertices: usize,
+    bytes: usize,
+}
+
+/// As many triangles as there is room for; `None` if it is better to start a fresh batch.
+fn piece<'p>(
+    pass: &'p Pass<'_>,
+    extent: &DrawExtent,
+    draw: usize,
+    first: usize,
+    room: usize,
+    room_for: usize,
+    is_fresh: bool,
+) -> Option<Piece<'p>> {
+    let call = &pass.draws[draw];
+    let vertex_bytes = SCREEN_VERTEX_BYTES + 4 * call.record_words();
+    let bytes = |triangles: usize, vertices: usize| triangles * TRIANGLE_BYTES + vertices * vertex_bytes;
+    let left = (extent.triangles - first).min(room_for);
+    // With vertices of its own for each corner.
+    let alone = left.min((room / bytes(1, 3)).max(if is_fresh { 16 } else { 0 }));
+    let sequential = |triangles: usize, source: Source<'p>| {
+        let (vertices, bytes) = (3 * triangles, bytes(triangles, 3 * triangles));
+        (triangles > 0).then_some(Piece { first, triangles, corners: Corners::Sequential, source, vertices, bytes })
+    };
+    let indices = match call.indices() {
+        Indices::Sequential => return sequential(alone, Source::Range(3 * first)),
+        Indices::U32(indices) => indices,
+    };
+    let shared = |triangles: usize, vertices: Range<usize>| Piece {
+        first,
+        triangles,
+        corners: Corners::Indexed {
+            indices: &indices[3 * first..3 * (first + triangles)],
+            first_vertex: vertices.start as u32,
+        },
+        source: Source::Range(vertices.start),
+        vertices: vertices.len(),
+        bytes: bytes(triangles, vertices.len()),
+    };
+    // All that is left, with all of the draw's vertices.
+    if left == extent.triangles - first && bytes(left, extent.vertices.len()) <= room {
+        return Some(shared(left, extent.vertices.clone()));
+    }
+    if !is_fresh {
+        return None;
+    }
+    // A stretch whose vertices stand close together in the buffer, as those of most meshes do.
+    let triangles = left.min(room / bytes(1, 1));
+    if triangles > alone {
+        let (low, high) = smallest_and_largest(&indices[3 * first..3 * (first + triangles)]);
+        let span = low as usize..high as usize + 1;
+        if bytes(triangles, span.len()) <= room {
+            return Some(shared(triangles, span));
+        }
+    }
+    sequential(alone, Source::List(&indices[3 * first..3 * (first + alone)]))
+}
+
+impl<'p> Batch<'p> {
+    fn push(&mut self, pass: &Pass<'_>, draw: usize, piece: Piece<'p>, width: u32, height: u32) {
+        let call = &pass.draws[draw];
+        let state = call.state();
+        let viewport = state.viewport.unwrap_or(Viewport::whole(width, height));
+        let rect = viewport_rect(&viewport, width, height);
+        let whole = PixelRect { x0: 0, y0: 0, x1: width as i32, y1: height as i32 };
+        // Only what writes depth may wait: else the visibility buffer would not know the depth of what it shows.
+        let can_wait = state.blend == Blend::Opaque && state.depth.write && !call.discards();
+        let kind = if can_wait {
+            SegmentKind::Deferred(state.depth.compare)
+        } else {
+            SegmentKind::Ordered { run: self.runs.len() }
+        };
+        let segment = Segment { kind, rect: Some(rect).filter(|&rect| rect != whole) };
+        if self.segments.last() != Some(&segment) {
+            self.segments.push(segment);
+        }
+        let screen = self.screen_vertices..self.screen_vertices + piece.vertices;
+        let records = self.record_words..self.record_words + piece.vertices * call.record_words();
+        (self.screen_vertices, self.record_words) = (screen.end, records.end);
+        self.runs.push(Run {
+            draw,
+            first_triangle: piece.first,
+            triangles: piece.triangles,
+            first_number: self.triangles,
+            corners: piece.corners,
+            source: piece.source,
+            screen,
+            records,
+            projection: Projection::new(state.space, &viewport),
+            rect,
+            segment: self.segments.len() - 1,
+        });
+        self.triangles += piece.triangles;
+        self.bytes += piece.bytes;
+    }
+
+    /// The run that triangle `number` of the batch belongs to.
+    #[inline(always)]
+    pub(crate) fn run_of(&self, number: usize) -> usize {
+        self.runs.partition_point(|run| run.first_number <= number).saturating_sub(1)
+    }
+}
+
+/// The pixels of a viewport that lie in the target.
+fn viewport_rect(viewport: &Viewport, width: u32, height: u32) -> PixelRect {
+    let side = |start: f32, size: f32, limit: u32| {
+        let round = |v: f32| (v.round_ties_even() as i32).clamp(0, limit as i32);
+        (round(start), round(start + size))
+    };
+    let (x0, x1) = side(viewport.x, viewport.width, width);
+    let (y0, y1) = side(viewport.y, viewport.height, height);
+    PixelRect { x0, y0, x1, y1 }
+}

@@ -1,0 +1,234 @@
+//! Executing a pass.
+
+use super::draw_call::VertexJob;
+use super::plan::{Batch, Run, plan};
+use super::validate::validate;
+use super::{Cull, FrontFace, Pass, Statistics};
+use crate::geometry::raster_space::ScreenVertex;
+use crate::raster::bins::{Share, TileGrid};
+use crate::raster::setup::{SetupState, setup};
+use crate::shading::run::RunView;
+use crate::target::bands::Bands;
+use crate::target::format::ColorFormat;
+use crate::tile::paint::{Painter, Painting, Start, Wants};
+use crate::{Error, Settings, Target, parallel};
+use fearless_simd::{Level, dispatch};
+
+/// Draws passes, and keeps its working memory from one to the next.
+#[derive(Debug)]
+pub struct Renderer {
+    level: Level,
+    threads: usize,
+    settings: Settings,
+    screen: Vec<ScreenVertex>,
+    records: Vec<u32>,
+    shares: Vec<Share>,
+    painters: Vec<Painter>,
+    /// The depth between flushes, for targets without a depth buffer.
+    depth: Vec<f32>,
+}
+
+/// Vertices that one job shades.
+const VERTICES_PER_JOB: usize = 4096;
+/// Triangles below which another share is not worth its bins.
+const LEAST_SHARE: usize = 512;
+
+impl Renderer {
+    /// A renderer; its memory comes with the first pass.
+    ///
+    /// # Errors
+    /// [`Error::SimdUnavailable`] if the settings name a SIMD level that this machine lacks.
+    pub fn new(settings: Settings) -> Result<Self, Error> {
+        let (level, threads) = (settings.simd.require()?, settings.thread_count());
+        Ok(Self {
+            level,
+            threads,
+            settings,
+            screen: Vec::new(),
+            records: Vec::new(),
+            shares: Vec::new(),
+            painters: Vec::new(),
+            depth: Vec::new(),
+        })
+    }
+
+    /// Draws a pass to a target.
+    ///
+    /// # Errors
+    /// What is wrong with the target, a mesh or a viewport, found before anything is drawn; see [`Error`].
+    pub fn render(&mut self, pass: &Pass<'_>, target: &mut Target<'_>) -> Result<Statistics, Error> {
+        target.validate()?;
+        let extents = validate(pass, self.level, self.threads)?;
+        let batches = plan(pass, &extents, target.width, target.height, self.settings.memory);
+        self.reserve(&batches, target)?;
+        let grid = TileGrid::new(target.width, target.height, self.settings.tile.log2());
+        let mut depth = std::mem::take(&mut self.depth);
+        let mut target = with_depth(target, &mut depth, batches.len());
+        let mut statistics = Statistics::default();
+        for (flush, batch) in batches.iter().enumerate() {
+            self.run_vertices(pass, batch);
+            self.set_up(pass, batch, grid);
+            self.paint(pass, batch, grid, &mut target, flush == 0);
+            statistics.flushes += 1;
+            self.shares.iter().for_each(|share| statistics.add(&share.statistics));
+        }
+        self.depth = depth;
+        Ok(statistics)
+    }
+
+    /// Memory for the largest batch, and for each thread's state.
+    fn reserve(&mut self, batches: &[Batch<'_>], target: &Target<'_>) -> Result<(), Error> {
+        let screen = batches.iter().map(|batch| batch.screen_vertices).max().unwrap_or(0);
+        let records = batches.iter().map(|batch| batch.record_words).max().unwrap_or(0);
+        grow(&mut self.screen, screen, "projected vertices")?;
+        grow(&mut self.records, records, "vertex records")?;
+        if batches.len() > 1 && target.depth.is_none() {
+            grow(&mut self.depth, target.width as usize * target.height as usize, "depth between flushes")?;
+        }
+        self.painters.resize_with(self.threads, Painter::new);
+        Ok(())
+    }
+
+    /// The vertex stage.
+    fn run_vertices(&mut self, pass: &Pass<'_>, batch: &Batch<'_>) {
+        let mut jobs = Vec::new();
+        let (mut screen, mut records) = (&mut self.screen[..], &mut self.records[..]);
+        for run in &batch.runs {
+            let words = pass.draws[run.draw].record_words();
+            for first in (0..run.screen.len()).step_by(VERTICES_PER_JOB) {
+                let count = (run.screen.len() - first).min(VERTICES_PER_JOB);
+                let (own_screen, own_records);
+                (own_screen, screen) = screen.split_at_mut(count);
+                (own_records, records) = records.split_at_mut(count * words);
+                let job = VertexJob {
+                    source: run.source,
+                    first_place: first,
+                    projection: &run.projection,
+                    screen: own_screen,
+                    records: own_records,
+                };
+                jobs.push((run.draw, job));
+            }
+        }
+        let level = self.level;
+        parallel::for_each(&mut vec![(); self.threads], jobs.into_iter(), |(), (draw, job)| {
+            pass.draws[draw].run_vertices(level, job);
+        });
+    }
+
+    /// Setup and binning: each share takes its stretch of the batch's triangles.
+    fn set_up(&mut self, pass: &Pass<'_>, batch: &Batch<'_>, grid: TileGrid) {
+        let count = batch.triangles.div_ceil(LEAST_SHARE).clamp(1, self.threads);
+        self.shares.resize_with(count, Share::default);
+        let size = batch.triangles.div_ceil(count).next_multiple_of(16);
+        let (level, screen) = (self.level, &self.screen[..]);
+        let shares = self.shares.iter_mut().enumerate();
+        parallel::for_each(&mut vec![(); self.threads], shares, |(), (k, share)| {
+            share.reset(&grid);
+            let (first, last) = (k * size, ((k + 1) * size).min(batch.triangles));
+            for run in &batch.runs[batch.run_of(first)..] {
+                let start = first.max(run.first_number) - run.first_number;
+                let end = last.min(run.first_number + run.triangles);
+                if end <= run.first_number + start {
+                    break;
+                }
+                let call = &pass.draws[run.draw];
+                let positions = |places: [usize; 3]| places.map(|place| call.position(run.source.vertex(place)));
+                let (cull_clockwise, cull_counter_clockwise) = culled(call.state().cull, call.state().front_face);
+                let state = SetupState {
+                    grid,
+                    rect: run.rect,
+                    cull_clockwise,
+                    cull_counter_clockwise,
+                    projection: &run.projection,
+                    positions: &positions,
+                };
+                share.start_segment(run.segment);
+                let (range, screen) = (start..end - run.first_number, &screen[run.screen.clone()]);
+                dispatch!(level, s => setup(s, &state, &run.corners, screen, range, run.first_number, share));
+            }
+        });
+    }
+
+    /// Coverage, depth and shading, tile by tile.
+    fn paint(&mut self, pass: &Pass<'_>, batch: &Batch<'_>, grid: TileGrid, target: &mut Target<'_>, is_first: bool) {
+        let view = |run| view(pass, run, &self.screen, &self.records);
+        let runs: Vec<RunView<'_>> = batch.runs.iter().map(view).collect();
+        let (width, height) = (target.width, target.height);
+        let wants = Wants {
+            color: ColorFormat::of(target),
+            depth: target.depth.is_some(),
+            ids: target.triangle_ids.is_some() || target.draw_ids.is_some() || target.barycentrics.is_some(),
+            hits: target.hits.is_some(),
+        };
+        let clear_depth = pass.clear_depth.map(|z| if z > 0.0 { z.min(1.0) } else { 0.0 });
+        let painting = Painting {
+            level: self.level,
+            grid,
+            width,
+            height,
+            draws: &pass.draws,
+            batch,
+            runs: &runs,
+            shares: &self.shares,
+            bands: &Bands::new(target, 1 << grid.log2),
+            start: Start {
+                color: pass.clear_color.filter(|_| is_first),
+                depth: clear_depth.filter(|_| is_first),
+                is_first,
+            },
+            wants,
+        };
+        parallel::for_each(&mut self.painters, 0..grid.tile_count(), |painter, tile| painter.paint(&painting, tile));
+    }
+}
+
+/// What shading sees of a run.
+fn view<'a>(pass: &Pass<'_>, run: &'a Run<'_>, screen: &'a [ScreenVertex], records: &'a [u32]) -> RunView<'a> {
+    RunView {
+        corners: run.corners,
+        source: run.source,
+        first_number: run.first_number,
+        screen: &screen[run.screen.clone()],
+        records: &records[run.records.clone()],
+        projection: &run.projection,
+        front_is_clockwise: pass.draws[run.draw].state().front_face == FrontFace::Clockwise,
+    }
+}
+
+/// Whether triangles are culled that wind clockwise on the picture, and counter-clockwise ones.
+fn culled(cull: Cull, front: FrontFace) -> (bool, bool) {
+    let clockwise_is_front = front == FrontFace::Clockwise;
+    match cull {
+        Cull::None => (false, false),
+        Cull::Front => (clockwise_is_front, !clockwise_is_front),
+        Cull::Back => (!clockwise_is_front, clockwise_is_front),
+    }
+}
+
+/// The target, with a depth buffer of ours if it has none and there is more than one flush.
+fn with_depth<'a>(target: &'a mut Target<'_>, depth: &'a mut [f32], flushes: usize) -> Target<'a> {
+    let pixels = target.width as usize * target.height as usize;
+    let own = (flushes > 1).then(|| &mut depth[..pixels]);
+    Target {
+        width: target.width,
+        height: target.height,
+        color: target.color.reborrow(),
+        depth: target.depth.as_deref_mut().or(own),
+        triangle_ids: target.triangle_ids.as_deref_mut(),
+        draw_ids: target.draw_ids.as_deref_mut(),
+        barycentrics: target.barycentrics.as_deref_mut(),
+        hits: target.hits.as_deref_mut(),
+    }
+}
+
+/// Makes a buffer hold at least so many elements.
+fn grow<T: Clone + Default>(buffer: &mut Vec<T>, length: usize, what: &'static str) -> Result<(), Error> {
+    let more = length.saturating_sub(buffer.len());
+    let bytes = length.saturating_mul(size_of::<T>());
+    buffer.try_reserve(more).map_err(|_| Error::OutOfMemory { bytes, what })?;
+    if more > 0 {
+        buffer.resize(length, T::default());
+    }
+    Ok(())
+}

@@ -1,0 +1,185 @@
+//! The fixed-function settings of a draw: plain structs with defaults.
+
+/// Everything about a draw that is not its shader or its mesh.
+///
+/// ```
+/// use pineda::{Cull, DrawState};
+/// let state = DrawState { cull: Cull::Back, ..DrawState::default() };
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub struct DrawState {
+    /// The space that the vertex stage's positions are in.
+    pub space: Space,
+    /// Which faces are left out.
+    pub cull: Cull,
+    /// Which winding is the front.
+    pub front_face: FrontFace,
+    /// The depth test.
+    pub depth: DepthState,
+    /// How the fragment's colour meets the target's.
+    pub blend: Blend,
+    /// The part of the target that is drawn to; all of it when `None`.
+    pub viewport: Option<Viewport>,
+}
+
+/// The space of the positions that a vertex stage returns.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum Space {
+    /// Homogeneous clip space (x, y, z, w): x right, y up, visible where `-w <= x, y <= w` and `0 <= z <= w`.
+    /// Normalised device coordinates are clip space with w = 1.
+    #[default]
+    Clip,
+    /// Raster space, exactly: x pixels right and y pixels down from the target's top-left corner, z the depth in 0 to 1, and w
+    /// the distance along the view axis that perspective-correct interpolation divides by (1 without perspective).
+    /// The viewport then only bounds what is drawn, and maps depth.
+    Raster,
+}
+
+/// Which faces are left out, decided on snapped positions.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum Cull {
+    /// None: both faces are drawn.
+    #[default]
+    None,
+    /// Front faces are left out.
+    Front,
+    /// Back faces are left out.
+    Back,
+}
+
+/// Which winding is the front, as seen on the picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum FrontFace {
+    /// Counter-clockwise, as in glTF and OpenGL.
+    #[default]
+    CounterClockwise,
+    /// Clockwise.
+    Clockwise,
+}
+
+/// The depth test: a fragment passes if `compare(its depth, the target's depth)`, and then replaces it if `write`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct DepthState {
+    /// The comparison.
+    pub compare: Compare,
+    /// Whether passing fragments write their depth.
+    pub write: bool,
+}
+
+impl DepthState {
+    /// No test and no writing: the painter's order.
+    pub const OFF: Self = Self { compare: Compare::Always, write: false };
+}
+
+impl Default for DepthState {
+    fn default() -> Self {
+        Self { compare: Compare::Less, write: true }
+    }
+}
+
+/// A comparison of a fragment's depth with the one that is there.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Default)]
+pub enum Compare {
+    /// Nothing passes.
+    Never,
+    /// Nearer passes.
+    #[default]
+    Less,
+    /// The same passes.
+    Equal,
+    /// Nearer or the same passes.
+    LessEqual,
+    /// Farther passes.
+    Greater,
+    /// Anything but the same passes.
+    NotEqual,
+    /// Farther or the same passes.
+    GreaterEqual,
+    /// Everything passes.
+    Always,
+}
+
+impl Compare {
+    /// Every comparison.
+    pub const ALL: [Self; 8] = [
+        Self::Never,
+        Self::Less,
+        Self::Equal,
+        Self::LessEqual,
+        Self::Greater,
+        Self::NotEqual,
+        Self::GreaterEqual,
+        Self::Always,
+    ];
+
+    /// Whether it passes for (less, equal, greater).
+    pub(crate) fn outcomes(self) -> [bool; 3] {
+        match self {
+            Self::Never => [false, false, false],
+            Self::Less => [true, false, false],
+            Self::Equal => [false, true, false],
+            Self::LessEqual => [true, true, false],
+            Self::Greater => [false, false, true],
+            Self::NotEqual => [true, false, true],
+            Self::GreaterEqual => [false, true, true],
+            Self::Always => [true, true, true],
+        }
+    }
+}
+
+/// How a fragment's colour meets the target's, in linear light.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum Blend {
+    /// It replaces it.
+    #[default]
+    Opaque,
+    /// Porter and Duff's "over" with straight alpha: `c = s.c s.a + d.c (1 - s.a)`, `a = s.a + d.a (1 - s.a)`.
+    SourceOver,
+    /// "Over" with colours that are already multiplied by their alpha: `c = s.c + d.c (1 - s.a)`, alpha likewise.
+    PremultipliedSourceOver,
+}
+
+/// The rectangle of the target that clip space's square maps to, and the range that depth maps to.
+///
+/// Nothing is drawn outside the rectangle. Its corners are rounded to the nearest whole pixel for that purpose only.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Viewport {
+    /// Its left border in pixels from the target's.
+    pub x: f32,
+    /// Its upper border in pixels from the target's.
+    pub y: f32,
+    /// Pixels across.
+    pub width: f32,
+    /// Pixels down.
+    pub height: f32,
+    /// What z = 0 maps to, in 0 to 1.
+    pub min_depth: f32,
+    /// What z = w maps to, in 0 to 1.
+    pub max_depth: f32,
+}
+
+impl Viewport {
+    /// The whole of a target, with depth 0 to 1.
+    #[must_use]
+    pub fn whole(width: u32, height: u32) -> Self {
+        Self { x: 0.0, y: 0.0, width: width as f32, height: height as f32, min_depth: 0.0, max_depth: 1.0 }
+    }
+
+    pub(crate) fn validate(&self) -> Result<(), &'static str> {
+        let Self { x, y, width, height, min_depth, max_depth } = *self;
+        let limit = 2.0 * crate::MAX_SIZE as f32;
+        if ![x, y, width, height, min_depth, max_depth].iter().all(|v| v.is_finite()) {
+            return Err("all of its numbers must be finite");
+        }
+        if width <= 0.0 || height <= 0.0 {
+            return Err("its width and height must be positive");
+        }
+        if x < -limit || y < -limit || x + width > limit || y + height > limit {
+            return Err("it must lie within 32,768 pixels of the target's corner");
+        }
+        if ![min_depth, max_depth].iter().all(|d| (0.0..=1.0).contains(d)) {
+            return Err("its depths must lie in 0 to 1");
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,26 @@
+/// What became of the triangles of a pass.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct Statistics {
+    /// Triangles that came in.
+    pub triangles: u64,
+    /// Of those, dropped because a vertex has a NaN or infinite position.
+    pub non_finite: u64,
+    /// Of those, left out because they lie wholly outside the view volume or the guard band.
+    pub outside: u64,
+    /// Of those, cut by the near plane, the far plane or the guard band.
+    pub clipped: u64,
+    /// How many times what had been collected was drawn before the pass went on: 1 unless its geometry is larger
+    /// than [`Settings::memory`](crate::Settings::memory).
+    pub flushes: u64,
+}
+
+impl Statistics {
+    pub(crate) fn add(&mut self, other: &Self) {
+        self.triangles += other.triangles;
+        self.non_finite += other.non_finite;
+        self.outside += other.outside;
+        self.clipped += other.clipped;
+        self.flushes += other.flushes;
+    }
+}

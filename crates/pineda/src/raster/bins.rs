@@ -1,0 +1,120 @@
+//! The records of a share of the batch's triangles, and which tiles they touch.
+
+use super::record::{LargeTriangle, MidTriangle, SmallTriangle};
+use crate::pass::Statistics;
+
+/// The grid of tiles that covers a target.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct TileGrid {
+    /// log2 of a tile's side in pixels.
+    pub(crate) log2: u32,
+    /// Tiles across.
+    pub(crate) columns: u32,
+    /// Tiles down.
+    pub(crate) rows: u32,
+}
+
+impl TileGrid {
+    pub(crate) fn new(width: u32, height: u32, log2: u32) -> Self {
+        let side = 1 << log2;
+        Self { log2, columns: width.div_ceil(side), rows: height.div_ceil(side) }
+    }
+
+    pub(crate) fn tile_count(&self) -> usize {
+        self.columns as usize * self.rows as usize
+    }
+}
+
+/// A record's place: two tag bits for its kind, and its index among its kind. One list a tile holds all kinds, so that the order of
+/// submission holds across them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct BinEntry(u32);
+
+/// The kinds of records.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Kind {
+    Small,
+    Mid,
+    Large,
+}
+
+const TAG_SHIFT: u32 = 30;
+
+impl BinEntry {
+    #[inline(always)]
+    pub(crate) fn new(kind: Kind, index: usize) -> Self {
+        debug_assert!(index < 1 << TAG_SHIFT);
+        Self(index as u32 | (kind as u32) << TAG_SHIFT)
+    }
+
+    #[inline(always)]
+    pub(crate) fn kind(self) -> Kind {
+        match self.0 >> TAG_SHIFT {
+            0 => Kind::Small,
+            1 => Kind::Mid,
+            _ => Kind::Large,
+        }
+    }
+
+    #[inline(always)]
+    pub(crate) fn index(self) -> usize {
+        (self.0 & ((1 << TAG_SHIFT) - 1)) as usize
+    }
+}
+
+/// The first records of a run of draws that tiles treat alike; see [`crate::pass::plan::Segment`].
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct SegmentStart {
+    pub(crate) segment: usize,
+    pub(crate) small: usize,
+    pub(crate) mid: usize,
+    pub(crate) large: usize,
+}
+
+impl SegmentStart {
+    /// Whether an entry comes at or after this start.
+    #[inline(always)]
+    pub(crate) fn is_before(&self, entry: BinEntry) -> bool {
+        let first = match entry.kind() {
+            Kind::Small => self.small,
+            Kind::Mid => self.mid,
+            Kind::Large => self.large,
+        };
+        entry.index() >= first
+    }
+}
+
+/// What setup makes of a share of a batch's triangles, in submission order. Each share has one owner at a time.
+#[derive(Debug, Default)]
+pub(crate) struct Share {
+    pub(crate) small: Vec<SmallTriangle>,
+    pub(crate) mid: Vec<MidTriangle>,
+    pub(crate) large: Vec<LargeTriangle>,
+    /// For each tile the records that touch it, in submission order.
+    pub(crate) bins: Vec<Vec<BinEntry>>,
+    pub(crate) segments: Vec<SegmentStart>,
+    pub(crate) statistics: Statistics,
+}
+
+impl Share {
+    /// Empties it and keeps its memory.
+    pub(crate) fn reset(&mut self, grid: &TileGrid) {
+        self.small.clear();
+        self.mid.clear();
+        self.large.clear();
+        self.segments.clear();
+        self.statistics = Statistics::default();
+        for bin in &mut self.bins {
+            bin.clear();
+        }
+        self.bins.resize_with(grid.tile_count(), Vec::new);
+    }
+
+    /// From here on triangles belong to this segment.
+    pub(crate) fn start_segment(&mut self, segment: usize) {
+        if self.segments.last().is_none_or(|last| last.segment != segment) {
+            let (small, mid, large) = (self.small.len(), self.mid.len(), self.large.len());
+            self.segments.push(SegmentStart { segment, small, mid, large });
+        }
+    }
+}

@@ -1,0 +1,8 @@
+//! Triangles: from three points of the raster to records in the bins of tiles.
+
+pub(crate) mod bins;
+pub(crate) mod corners;
+pub(crate) mod record;
+pub(crate) mod setup;
+pub(crate) mod top_left;
+pub(crate) mod triangle_id;

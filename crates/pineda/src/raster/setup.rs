@@ -1,0 +1,494 @@
+//! Setup: sixteen triangles at a time, from snapped vertices to records in bins.
+//!
+//! For each triangle, in the lanes: its box of samples, its signed area, culling, the canonical order of its vertices, its depth's
+//! plane, and, by its size, its coverage mask (small) or its edge functions (mid). Then, one after the other in submission order, its
+//! record and its bins. The edge function here is
+//!
+//! ```text
+//! E_ab(p) = (b.x - a.x)(p.y - a.y) - (b.y - a.y)(p.x - a.x)
+//! ```
+//!
+//! for vertices in clockwise order on the picture: positive inside (Pineda 1988; his has the other sign, for the other winding).
+
+use super::bins::{BinEntry, Kind, Share, TileGrid};
+use super::corners::{Corners, Sixteen};
+use super::record::{LargeTriangle, MID_EXTENT, MidTriangle, SMALL_EXTENT, SampleBox, SmallTriangle};
+use super::top_left::is_top_left;
+use super::triangle_id::{CLIPPED_CLOCKWISE, CLIPPED_COUNTER_CLOCKWISE, ORDER_BITS, TriangleId};
+use crate::geometry::clip::{Clipped, clip};
+use crate::geometry::project::{Projection, outcode};
+use crate::geometry::raster_space::{HALF_PIXEL, OFF_RASTER, SUBPIXEL_BITS, SUBPIXELS, ScreenVertex};
+use crate::transpose::{transpose8, transpose16};
+use fearless_simd::{Simd, f32x16, i32x16, mask32x16, prelude::*, u32x16};
+
+/// A rectangle of pixels: left and top inside, right and bottom outside.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct PixelRect {
+    pub(crate) x0: i32,
+    pub(crate) y0: i32,
+    pub(crate) x1: i32,
+    pub(crate) y1: i32,
+}
+
+/// What setup must know of a run's draw.
+#[derive(Clone, Copy)]
+pub(crate) struct SetupState<'a> {
+    pub(crate) grid: TileGrid,
+    /// No sample outside is covered.
+    pub(crate) rect: PixelRect,
+    pub(crate) cull_clockwise: bool,
+    pub(crate) cull_counter_clockwise: bool,
+    pub(crate) projection: &'a Projection,
+    /// Runs a draw's vertex stage again, for a triangle that needs clipping: the positions of vertices by their places.
+    pub(crate) positions: &'a (dyn Fn([usize; 3]) -> [[f32; 4]; 3] + Sync),
+}
+
+/// Sets up triangles `range` of a run; `first_number` is the number of the run's triangle 0 in the batch.
+#[inline(always)]
+pub(crate) fn setup<S: Simd>(
+    s: S,
+    state: &SetupState<'_>,
+    corners: &Corners<'_>,
+    screen: &[ScreenVertex],
+    range: std::ops::Range<usize>,
+    first_number: usize,
+    share: &mut Share,
+) {
+    let mut t = range.start;
+    share.statistics.triangles += range.len() as u64;
+    while t < range.end {
+        let count = (range.end - t).min(16);
+        let triangles = Sixteen::load(s, corners, screen, t, count);
+        let mut todo = (1u64 << count) - 1;
+        let off = off_raster(s, &triangles) & todo;
+        let ids = lane_numbers(s, 1 << ORDER_BITS) + TriangleId::first(first_number + t) as i32;
+        let mut rest = off;
+        while rest != 0 {
+            // What comes before the triangle that needs care, then the triangle itself, then on.
+            let lane = rest.trailing_zeros() as usize;
+            let before = todo & ((1 << lane) - 1);
+            emit(s, state, &triangles, ids, None, before, share);
+            todo &= !before & !(1 << lane);
+            rest &= rest - 1;
+            careful(s, state, corners.of(t + lane), screen, first_number + t + lane, share);
+        }
+        emit(s, state, &triangles, ids, None, todo, share);
+        t += 16;
+    }
+}
+
+/// The lanes with a vertex that is not on the raster.
+#[inline(always)]
+fn off_raster<S: Simd>(s: S, t: &Sixteen<S>) -> u64 {
+    let off = i32x16::splat(s, OFF_RASTER);
+    (t.x[0].simd_eq(off) | t.x[1].simd_eq(off) | t.x[2].simd_eq(off)).to_bitmask()
+}
+
+#[inline(always)]
+fn lane_numbers<S: Simd>(s: S, step: i32) -> i32x16<S> {
+    i32x16::simd_from(s, [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15]) * step
+}
+
+/// A triangle with a vertex off the raster: dropped, or clipped and set up.
+#[inline(never)]
+fn careful<S: Simd>(
+    s: S,
+    state: &SetupState<'_>,
+    places: [usize; 3],
+    screen: &[ScreenVertex],
+    number: usize,
+    share: &mut Share,
+) {
+    let vertices = places.map(|k| screen[k]);
+    let codes = vertices.map(ScreenVertex::outcode);
+    if (codes[0] | codes[1] | codes[2]) & outcode::NON_FINITE != 0 {
+        share.statistics.non_finite += 1;
+        return;
+    }
+    if codes[0] & codes[1] & codes[2] != 0 {
+        share.statistics.outside += 1;
+        return;
+    }
+    share.statistics.clipped += 1;
+    let Some(clipped) = clip(state.projection, (state.positions)(places), vertices) else { return };
+    if if clipped.is_clockwise { state.cull_clockwise } else { state.cull_counter_clockwise } {
+        return;
+    }
+    s.vectorize(
+        #[inline(always)]
+        || emit_clipped(s, state, &clipped, number, share),
+    );
+}
+
+#[inline(always)]
+fn emit_clipped<S: Simd>(s: S, state: &SetupState<'_>, clipped: &Clipped, number: usize, share: &mut Share) {
+    let code = if clipped.is_clockwise { CLIPPED_CLOCKWISE } else { CLIPPED_COUNTER_CLOCKWISE };
+    let id = i32x16::splat(s, (TriangleId::first(number) | code) as i32);
+    let triangles = Sixteen::from_triangles(s, clipped.triangles());
+    emit(s, state, &triangles, id, Some(()), (1 << clipped.triangles().len()) - 1, share);
+}
+
+/// Sets up those of sixteen triangles on the raster that `lanes` has bits for. `ids` hold order code 0, unless the triangles are
+/// parts of a clipped one.
+#[inline(always)]
+fn emit<S: Simd>(
+    s: S,
+    state: &SetupState<'_>,
+    triangles: &Sixteen<S>,
+    ids: i32x16<S>,
+    clipped: Option<()>,
+    lanes: u64,
+    share: &mut Share,
+) {
+    let Sixteen { x: [x0, x1, x2], y: [y0, y1, y2], z } = *triangles;
+    let min_x = x0.min(x1).min(x2);
+    let max_x = x0.max(x1).max(x2);
+    let min_y = y0.min(y1).min(y2);
+    let max_y = y0.max(y1).max(y2);
+    // The first sample at or after the box's left border, the last before its right one: no sample on a right or a bottom border is
+    // covered, for such a border is no top or left edge.
+    let rect = state.rect;
+    let column0 = ((min_x + (HALF_PIXEL - 1)) >> SUBPIXEL_BITS).max(rect.x0);
+    let column1 = ((max_x - (HALF_PIXEL + 1)) >> SUBPIXEL_BITS).min(rect.x1 - 1);
+    let row0 = ((min_y + (HALF_PIXEL - 1)) >> SUBPIXEL_BITS).max(rect.y0);
+    let row1 = ((max_y - (HALF_PIXEL + 1)) >> SUBPIXEL_BITS).min(rect.y1 - 1);
+    let asked = mask32x16::from_bitmask(s, lanes);
+    let mut live = column0.simd_le(column1) & row0.simd_le(row1) & asked;
+
+    let is_large = (max_x - min_x).simd_gt(MID_EXTENT) | (max_y - min_y).simd_gt(MID_EXTENT);
+    let area = area_x2(s, triangles, is_large & live);
+    let counter_clockwise = area.simd_lt(0.0);
+    let degenerate = area.simd_eq(0.0);
+    live = live & !degenerate;
+    if clipped.is_none() {
+        if state.cull_clockwise {
+            live = live & counter_clockwise;
+        }
+        if state.cull_counter_clockwise {
+            live = live & !counter_clockwise;
+        }
+    }
+    if live.all_false() {
+        return;
+    }
+
+    let first_is_1 = before(y1, x1, y0, x0) & !before(y2, x2, y1, x1);
+    let first_is_2 = before(y2, x2, y0, x0) & before(y2, x2, y1, x1);
+    let order = CanonicalOrder { first_is_1, first_is_2, counter_clockwise };
+    let x = order.apply(triangles.x);
+    let y = order.apply(triangles.y);
+    let z = order.apply([z[0].bitcast(), z[1].bitcast(), z[2].bitcast()]);
+    let z: [f32x16<S>; 3] = [z[0].bitcast(), z[1].bitcast(), z[2].bitcast()];
+    let ids = if clipped.is_some() { ids } else { ids + order.code(s) };
+
+    let (ax, ay, bx, by) = (x[1] - x[0], y[1] - y[0], x[2] - x[0], y[2] - y[0]);
+    let (cx, cy) = (x[2] - x[1], y[2] - y[1]);
+    let edges = [
+        Edge { x: x[0], y: y[0], dx: ax, dy: ay },
+        Edge { x: x[1], y: y[1], dx: cx, dy: cy },
+        Edge { x: x[2], y: y[2], dx: -bx, dy: -by },
+    ];
+    // The depth's plane, in 1/pixel. All differences are exact in f32.
+    let scale = f32x16::splat(s, SUBPIXELS as f32) / area.abs();
+    let (dz1, dz2) = (z[1] - z[0], z[2] - z[0]);
+    let dz_dx = (dz1 * float(by) - dz2 * float(ay)) * scale;
+    let dz_dy = (dz2 * float(ax) - dz1 * float(bx)) * scale;
+
+    let (columns, rows) = (column1 - column0, row1 - row0);
+    let mut is_small = columns.simd_lt(SMALL_EXTENT) & rows.simd_lt(SMALL_EXTENT) & live & !is_large;
+    let mut coverage = i32x16::splat(s, 0);
+    if is_small.any_true() {
+        coverage = small_coverage(s, &edges, column0, row0, columns, rows);
+        // Most of the smallest triangles lie between samples.
+        live = live & !(is_small & coverage.simd_eq(0));
+        is_small = is_small & live;
+    }
+    let (small_lanes, large_lanes) = (is_small.to_bitmask(), (is_large & live).to_bitmask());
+    let live_lanes = live.to_bitmask();
+    let mid_lanes = live_lanes & !small_lanes & !large_lanes;
+
+    let (block_x, block_y) = (column0 >> 2, row0 >> 2);
+    let (first_x, first_y) = ((block_x << 10) + HALF_PIXEL, (block_y << 10) + HALF_PIXEL);
+    let (anchor_x, anchor_y) = (first_x - x[0], first_y - y[0]);
+    let plane: [u32x16<S>; 3] = [z[0].bitcast(), dz_dx.bitcast(), dz_dy.bitcast()];
+    let zero = u32x16::splat(s, 0);
+
+    let mut small_rows = [[0; 8]; 16];
+    if small_lanes != 0 {
+        let (left, right) = block_masks(s, coverage, column0 & 3, row0 & 3);
+        small_rows = transpose8([
+            ids.bitcast(),
+            (block_x | (block_y << 16)).bitcast(),
+            left.bitcast(),
+            right.bitcast(),
+            plane[0],
+            plane[1],
+            plane[2],
+            pack(anchor_x, anchor_y),
+        ]);
+    }
+    let z_min: u32x16<S> = smaller(smaller(z[0], z[1]), z[2]).bitcast();
+    let box_columns: u32x16<S> = (column0 | (column1 << 16)).bitcast();
+    let box_rows: u32x16<S> = (row0 | (row1 << 16)).bitcast();
+    let mut mid_rows = [[0; 16]; 16];
+    if mid_lanes != 0 {
+        mid_rows = transpose16([
+            ids.bitcast(),
+            box_columns,
+            box_rows,
+            plane[0],
+            plane[1],
+            plane[2],
+            anchor_x.bitcast(),
+            anchor_y.bitcast(),
+            edges[0].at(first_x, first_y).bitcast(),
+            edges[1].at(first_x, first_y).bitcast(),
+            edges[2].at(first_x, first_y).bitcast(),
+            edges[0].steps(),
+            edges[1].steps(),
+            edges[2].steps(),
+            z_min,
+            zero,
+        ]);
+    }
+    let mut large_rows = [[0; 16]; 16];
+    if large_lanes != 0 {
+        let one = i32x16::splat(s, 1);
+        let none = i32x16::splat(s, 0);
+        let rule = edges[0].is_top_left().select(one, none)
+            | edges[1].is_top_left().select(one << 1, none)
+            | edges[2].is_top_left().select(one << 2, none);
+        large_rows = transpose16([
+            ids.bitcast(),
+            box_columns,
+            box_rows,
+            plane[0],
+            plane[1],
+            plane[2],
+            x[0].bitcast(),
+            y[0].bitcast(),
+            x[1].bitcast(),
+            y[1].bitcast(),
+            x[2].bitcast(),
+            y[2].bitcast(),
+            z_min,
+            rule.bitcast(),
+            z[1].bitcast(),
+            z[2].bitcast(),
+        ]);
+    }
+
+    let log2 = state.grid.log2;
+    let tile_x0: [i32; 16] = (column0 >> log2).into();
+    let tile_x1: [i32; 16] = (column1 >> log2).into();
+    let tile_y0: [i32; 16] = (row0 >> log2).into();
+    let tile_y1: [i32; 16] = (row1 >> log2).into();
+    let mut rest = live_lanes;
+    while rest != 0 {
+        let lane = rest.trailing_zeros() as usize & 15;
+        let bit = 1 << lane;
+        rest &= rest - 1;
+        let tiles = SampleBox { x0: tile_x0[lane], x1: tile_x1[lane], y0: tile_y0[lane], y1: tile_y1[lane] };
+        if small_lanes & bit != 0 {
+            let entry = BinEntry::new(Kind::Small, share.small.len());
+            share.small.push(SmallTriangle(small_rows[lane]));
+            bin(&mut share.bins, &state.grid, tiles, entry);
+        } else if mid_lanes & bit != 0 {
+            let entry = BinEntry::new(Kind::Mid, share.mid.len());
+            share.mid.push(MidTriangle(mid_rows[lane]));
+            bin(&mut share.bins, &state.grid, tiles, entry);
+        } else {
+            let entry = BinEntry::new(Kind::Large, share.large.len());
+            let record = LargeTriangle(large_rows[lane]).with_precise_plane();
+            share.large.push(record);
+            bin_large(&mut share.bins, &state.grid, tiles, entry, &record);
+        }
+    }
+}
+
+/// Twice the signed area, rounded once to f32, which keeps its sign and whether it is 0. i32 holds it for all but large triangles.
+#[inline(always)]
+fn area_x2<S: Simd>(s: S, t: &Sixteen<S>, large: mask32x16<S>) -> f32x16<S> {
+    let (ax, ay) = (t.x[1] - t.x[0], t.y[1] - t.y[0]);
+    let (bx, by) = (t.x[2] - t.x[0], t.y[2] - t.y[0]);
+    let area: f32x16<S> = float(ax * by - bx * ay);
+    if large.all_false() {
+        return area;
+    }
+    let (p_low, p_high) = ax.widening_mul(by);
+    let (q_low, q_high) = bx.widening_mul(ay);
+    let low: [i64; 8] = (p_low - q_low).into();
+    let high: [i64; 8] = (p_high - q_high).into();
+    let mut exact = [0.0; 16];
+    let mut k = 0;
+    while k < 8 {
+        exact[k] = low[k] as f32;
+        exact[k + 8] = high[k] as f32;
+        k += 1;
+    }
+    large.select(f32x16::simd_from(s, exact), area)
+}
+
+/// Whether (ya, xa) comes before (yb, xb).
+#[inline(always)]
+fn before<S: Simd>(ya: i32x16<S>, xa: i32x16<S>, yb: i32x16<S>, xb: i32x16<S>) -> mask32x16<S> {
+    ya.simd_lt(yb) | (ya.simd_eq(yb) & xa.simd_lt(xb))
+}
+
+/// The permutation that brings vertices into canonical order; see [`TriangleId`].
+#[derive(Clone, Copy)]
+struct CanonicalOrder<S: Simd> {
+    first_is_1: mask32x16<S>,
+    first_is_2: mask32x16<S>,
+    counter_clockwise: mask32x16<S>,
+}
+
+impl<S: Simd> CanonicalOrder<S> {
+    #[inline(always)]
+    fn apply(&self, [a, b, c]: [i32x16<S>; 3]) -> [i32x16<S>; 3] {
+        let first = self.first_is_1.select(b, self.first_is_2.select(c, a));
+        let second = self.first_is_1.select(c, self.first_is_2.select(a, b));
+        let third = self.first_is_1.select(a, self.first_is_2.select(b, c));
+        [first, self.counter_clockwise.select(third, second), self.counter_clockwise.select(second, third)]
+    }
+
+    #[inline(always)]
+    fn code(&self, s: S) -> i32x16<S> {
+        let none = i32x16::splat(s, 0);
+        self.first_is_1.select(i32x16::splat(s, 1), none)
+            + self.first_is_2.select(i32x16::splat(s, 2), none)
+            + self.counter_clockwise.select(i32x16::splat(s, 3), none)
+    }
+}
+
+/// An edge of each of sixteen triangles in canonical order: where it starts, and how far it goes.
+#[derive(Clone, Copy)]
+struct Edge<S: Simd> {
+    x: i32x16<S>,
+    y: i32x16<S>,
+    dx: i32x16<S>,
+    dy: i32x16<S>,
+}
+
+impl<S: Simd> Edge<S> {
+    #[inline(always)]
+    fn is_top_left(&self) -> mask32x16<S> {
+        is_top_left(self.dx, self.dy)
+    }
+
+    /// The edge function with the fill rule at a sample, over 256, rounded down. Not negative where the sample is inside. From sample
+    /// to sample the edge function changes by multiples of 256, so that nothing is lost. Fits i32 for triangles up to [`MID_EXTENT`].
+    #[inline(always)]
+    fn at(&self, x: i32x16<S>, y: i32x16<S>) -> i32x16<S> {
+        let e = self.dx * (y - self.y) - self.dy * (x - self.x);
+        self.is_top_left().select(e, e - 1) >> SUBPIXEL_BITS
+    }
+
+    /// What [`Self::at`] gains a pixel right, and a pixel down, as two i16.
+    #[inline(always)]
+    fn steps(&self) -> u32x16<S> {
+        pack(-self.dy, self.dx)
+    }
+}
+
+/// Coverage of the 4 x 4 samples from (column0, row0) on: bit 4 j + i is sample (i, j).
+#[inline(always)]
+fn small_coverage<S: Simd>(
+    s: S,
+    edges: &[Edge<S>; 3],
+    column0: i32x16<S>,
+    row0: i32x16<S>,
+    columns: i32x16<S>,
+    rows: i32x16<S>,
+) -> i32x16<S> {
+    let (x, y) = ((column0 << 8) + HALF_PIXEL, (row0 << 8) + HALF_PIXEL);
+    let [mut e0, mut e1, mut e2] = [edges[0].at(x, y), edges[1].at(x, y), edges[2].at(x, y)];
+    let mut outside = i32x16::splat(s, 0);
+    let mut j = 0;
+    while j < 4 {
+        let (mut f0, mut f1, mut f2) = (e0, e1, e2);
+        let mut i = 0;
+        while i < 4 {
+            let sign: u32x16<S> = (f0 | f1 | f2).bitcast();
+            outside = outside | ((sign >> 31).bitcast::<i32x16<S>>() << (4 * j + i));
+            f0 = f0 - edges[0].dy;
+            f1 = f1 - edges[1].dy;
+            f2 = f2 - edges[2].dy;
+            i += 1;
+        }
+        e0 = e0 + edges[0].dx;
+        e1 = e1 + edges[1].dx;
+        e2 = e2 + edges[2].dx;
+        j += 1;
+    }
+    // Samples of the 4 x 4 that lie beyond the box are inside only where the box was cut at the picture's border.
+    let two = i32x16::splat(s, 2);
+    let in_columns = ((two << columns.max(0).min(3)) - 1) * 0x1111;
+    let in_rows = (i32x16::splat(s, 16) << (rows.max(0).min(3) << 2)) - 1;
+    (outside ^ 0xffff) & in_columns & in_rows
+}
+
+/// Distributes 4 x 4 samples at (x, y), 0 to 3, within a 2 x 2 group of blocks: the masks of the left two and of the right two.
+#[inline(always)]
+fn block_masks<S: Simd>(s: S, coverage: i32x16<S>, x: i32x16<S>, y: i32x16<S>) -> (i32x16<S>, i32x16<S>) {
+    let (mut left, mut right) = (i32x16::splat(s, 0), i32x16::splat(s, 0));
+    let mut row = 0;
+    while row < 4 {
+        let wide = ((coverage >> (4 * row)) & 15) << x;
+        left = left | ((wide & 15) << (4 * row));
+        right = right | ((wide >> 4) << (4 * row));
+        row += 1;
+    }
+    (left << (y << 2), right << (y << 2))
+}
+
+/// Two i16 in a word.
+#[inline(always)]
+fn pack<S: Simd>(low: i32x16<S>, high: i32x16<S>) -> u32x16<S> {
+    ((low & 0xffff) | (high << 16)).bitcast()
+}
+
+#[inline(always)]
+fn float<S: Simd>(v: i32x16<S>) -> f32x16<S> {
+    v.to_float()
+}
+
+#[inline(always)]
+fn smaller<S: Simd>(a: f32x16<S>, b: f32x16<S>) -> f32x16<S> {
+    a.simd_lt(b).select(a, b)
+}
+
+/// Enters a record into every tile of its box.
+#[inline(always)]
+fn bin(bins: &mut [Vec<BinEntry>], grid: &TileGrid, tiles: SampleBox, entry: BinEntry) {
+    let mut y = tiles.y0;
+    while y <= tiles.y1 {
+        let mut x = tiles.x0;
+        while x <= tiles.x1 {
+            bins[y as usize * grid.columns as usize + x as usize].push(entry);
+            x += 1;
+        }
+        y += 1;
+    }
+}
+
+/// Enters a large record into those tiles of its box that it may touch: not those wholly on the outer side of an edge.
+#[inline(never)]
+fn bin_large(bins: &mut [Vec<BinEntry>], grid: &TileGrid, tiles: SampleBox, entry: BinEntry, t: &LargeTriangle) {
+    let side = i64::from(((1 << grid.log2) - 1) * SUBPIXELS);
+    for y in tiles.y0..=tiles.y1 {
+        for x in tiles.x0..=tiles.x1 {
+            let first = |tile: i32| i64::from((tile << grid.log2) * SUBPIXELS + HALF_PIXEL);
+            let (px, py) = (first(x), first(y));
+            let is_outside = (0..3).any(|k| {
+                let (a, b) = (t.vertex(k), t.vertex((k + 1) % 3));
+                let (dx, dy) = (b.0 - a.0, b.1 - a.1);
+                // At the tile's innermost sample.
+                dx * (py - a.1) - dy * (px - a.0) + (dx * side).max(0) + (-dy * side).max(0) < 0
+            });
+            if !is_outside {
+                bins[y as usize * grid.columns as usize + x as usize].push(entry);
+            }
+        }
+    }
+}

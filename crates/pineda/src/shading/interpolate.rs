@@ -1,0 +1,402 @@
+//! Filling a packet: sixteen fragments of a block, of one triangle or of several, with everything that a fragment stage receives.
+//!
+//! A packet is never split by triangle: that would run the fragment stage several times for a handful of pixels each. Its weights and
+//! its vertices' varyings are put together first, in one of three ways, and from there on the way no longer matters:
+//!
+//! - *one* triangle: everything is the same in all lanes, and lives in scalar registers;
+//! - a *few*: each triangle in turn, its lanes selected by mask;
+//! - *many*: each lane loads its own vertices; rows of four words are turned round by shuffles.
+//!
+//! A varying is `(f0 + b1 (f1 - f0)) + b2 (f2 - f0)`, in canonical order of the vertices. What is the same at all three vertices stays
+//! exactly that.
+
+use super::run::{RECORD_HEADER, RunView, record_words};
+use super::weights::{Weights, of_clipped, of_lanes, of_triangle};
+use super::{FragParts, Interpolation, MAX_VARYINGS, Varyings};
+use crate::geometry::raster_space::{HALF_PIXEL, SUBPIXELS};
+use crate::lanes::Packet;
+use crate::math::{Bool, Real};
+use crate::raster::triangle_id::{CLIPPED_CLOCKWISE, ORDER_BITS, TriangleId};
+use crate::tile::view::BlockLanes;
+use crate::transpose::columns4;
+use fearless_simd::{Simd, f32x16, i32x16, mask32x16, prelude::*, u32x4, u32x16};
+
+/// Up to this many triangles are taken in turn; more are gathered lane by lane.
+const FEW: usize = 4;
+
+/// The fragments of a block to be shaded.
+#[derive(Clone, Copy)]
+pub(crate) struct Fragments<'a> {
+    /// The triangle of each lane; those outside the mask are ignored.
+    pub(crate) ids: &'a [u32; 16],
+    /// The lanes to be shaded, at least one.
+    pub(crate) mask: u32,
+    /// The block's first pixel.
+    pub(crate) x: i32,
+    pub(crate) y: i32,
+    /// Depths, as bits.
+    pub(crate) depth: &'a [i32; 16],
+}
+
+/// The different triangles of a packet, up to sixteen.
+struct Distinct {
+    count: usize,
+    ids: [u32; 16],
+    masks: [u32; 16],
+}
+
+/// How the three vertices' values of one varying enter: the first, and by how much the others exceed it.
+#[derive(Clone, Copy)]
+struct Corner3<S: Simd> {
+    f0: f32x16<S>,
+    d1: f32x16<S>,
+    d2: f32x16<S>,
+}
+
+/// Interpolates all varyings of a packet.
+#[inline(always)]
+pub(crate) fn interpolate<S: Simd, V: Varyings<Packet<S>>, const DERIVATIVES: bool>(
+    s: S,
+    run: &RunView<'_>,
+    position: &dyn Fn(usize) -> [f32; 4],
+    fragments: &Fragments<'_>,
+) -> FragParts<Packet<S>, V> {
+    let lanes = BlockLanes::new(s);
+    let ids = u32x16::simd_from(s, *fragments.ids);
+    let first = fragments.ids[fragments.mask.trailing_zeros() as usize & 15];
+    let rest = fragments.mask & !(ids.simd_eq(first).to_bitmask() as u32);
+    let mut values = Values::new(s);
+    if rest == 0 {
+        one::<S, V, DERIVATIVES>(s, run, position, fragments, TriangleId(first), &lanes, &mut values);
+    } else {
+        let distinct = distinct(s, ids, fragments, first);
+        if distinct.count <= FEW || has_clipped(&distinct) {
+            few::<S, V, DERIVATIVES>(s, run, position, fragments, &distinct, &lanes, &mut values);
+        } else {
+            many::<S, V, DERIVATIVES>(s, run, fragments, first, &lanes, &mut values);
+        }
+    }
+    let code: i32x16<S> = (ids & ((1 << ORDER_BITS) - 1)).bitcast();
+    let clockwise = code.simd_lt(3) | code.simd_eq(CLIPPED_CLOCKWISE as i32);
+    let front_facing = if run.front_is_clockwise { clockwise } else { !clockwise };
+    let x = lanes.x + (fragments.x as f32 + 0.5);
+    let y = lanes.y + (fragments.y as f32 + 0.5);
+    FragParts {
+        varyings: V::read(&values.here),
+        dx: V::read(&values.dx),
+        dy: V::read(&values.dy),
+        x: Real(x),
+        y: Real(y),
+        z: Real(i32x16::simd_from(s, *fragments.depth).bitcast()),
+        front_facing: Bool(front_facing),
+        alive: Bool(mask32x16::from_bitmask(s, u64::from(fragments.mask))),
+    }
+}
+
+/// The varyings of a packet and their derivatives.
+struct Values<S: Simd> {
+    here: [Real<Packet<S>>; MAX_VARYINGS],
+    dx: [Real<Packet<S>>; MAX_VARYINGS],
+    dy: [Real<Packet<S>>; MAX_VARYINGS],
+}
+
+impl<S: Simd> Values<S> {
+    #[inline(always)]
+    fn new(s: S) -> Self {
+        let zero = Real(f32x16::splat(s, 0.0));
+        Self { here: [zero; MAX_VARYINGS], dx: [zero; MAX_VARYINGS], dy: [zero; MAX_VARYINGS] }
+    }
+}
+
+/// The weights of the second and third vertex, normalised, and their derivatives.
+#[derive(Clone, Copy)]
+struct Barycentric<S: Simd> {
+    b1: f32x16<S>,
+    b2: f32x16<S>,
+    dx: [f32x16<S>; 2],
+    dy: [f32x16<S>; 2],
+}
+
+impl<S: Simd> Barycentric<S> {
+    #[inline(always)]
+    fn new<const DERIVATIVES: bool>(s: S, weights: &[f32x16<S>; 3], dx: &[f32x16<S>; 3], dy: &[f32x16<S>; 3]) -> Self {
+        let sum = (weights[0] + weights[1]) + weights[2];
+        let scale = f32x16::splat(s, 1.0) / sum;
+        let (b1, b2) = (weights[1] * scale, weights[2] * scale);
+        let mut this = Self { b1, b2, dx: [b1, b2], dy: [b1, b2] };
+        if DERIVATIVES {
+            // Of a quotient: (n / d)' = (n' - (n / d) d') / d.
+            let (sum_dx, sum_dy) = ((dx[0] + dx[1]) + dx[2], (dy[0] + dy[1]) + dy[2]);
+            this.dx = [(dx[1] - b1 * sum_dx) * scale, (dx[2] - b2 * sum_dx) * scale];
+            this.dy = [(dy[1] - b1 * sum_dy) * scale, (dy[2] - b2 * sum_dy) * scale];
+        }
+        this
+    }
+}
+
+/// Both kinds of barycentric coordinates; what no varying asks for is never computed.
+struct Both<S: Simd> {
+    perspective: Barycentric<S>,
+    linear: Barycentric<S>,
+}
+
+impl<S: Simd> Both<S> {
+    #[inline(always)]
+    fn new<V: Varyings<Packet<S>>, const DERIVATIVES: bool>(s: S, weights: &Weights<S>) -> Self {
+        let perspective = Barycentric::new::<DERIVATIVES>(s, &weights.perspective, &weights.dx, &weights.dy);
+        let linear = if has::<V, S>(Interpolation::NoPerspective) {
+            // On the screen the weights are linear in x and y; one pixel's difference is the derivative.
+            Barycentric::new::<DERIVATIVES>(s, &weights.linear, &weights.linear_dx, &weights.linear_dy)
+        } else {
+            perspective
+        };
+        Self { perspective, linear }
+    }
+
+    /// Varying `k` and its derivatives, from its values at the vertices.
+    #[inline(always)]
+    fn set<V: Varyings<Packet<S>>, const DERIVATIVES: bool>(&self, values: &mut Values<S>, k: usize, f: Corner3<S>) {
+        let b = match V::INTERPOLATION[k] {
+            Interpolation::Flat => {
+                values.here[k] = Real(f.f0);
+                return;
+            }
+            Interpolation::Perspective => &self.perspective,
+            Interpolation::NoPerspective => &self.linear,
+        };
+        values.here[k] = Real((f.f0 + b.b1 * f.d1) + b.b2 * f.d2);
+        if DERIVATIVES {
+            values.dx[k] = Real(b.dx[0] * f.d1 + b.dx[1] * f.d2);
+            values.dy[k] = Real(b.dy[0] * f.d1 + b.dy[1] * f.d2);
+        }
+    }
+}
+
+/// Whether any of the varyings is interpolated in this way.
+#[inline(always)]
+fn has<V: Varyings<Packet<S>>, S: Simd>(interpolation: Interpolation) -> bool {
+    let mut k = 0;
+    while k < V::LEN {
+        if V::INTERPOLATION[k] as u8 == interpolation as u8 {
+            return true;
+        }
+        k += 1;
+    }
+    false
+}
+
+/// The weights of one triangle, the places of its vertices in their order, and the provoking vertex's.
+#[inline(always)]
+fn triangle<S: Simd>(
+    s: S,
+    run: &RunView<'_>,
+    position: &dyn Fn(usize) -> [f32; 4],
+    fragments: &Fragments<'_>,
+    id: TriangleId,
+    words: usize,
+    lanes: &BlockLanes<S>,
+) -> (Weights<S>, [usize; 4]) {
+    let (weights, places) = if id.is_clipped() {
+        let (weights, order) = of_clipped(s, run, position, id, fragments.x, fragments.y);
+        let submitted = run.places(id);
+        (weights, [submitted[order[0]], submitted[order[1]], submitted[order[2]]])
+    } else {
+        let places = run.canonical_places(id);
+        (of_triangle(s, run, words, places, fragments.x, fragments.y, lanes), places)
+    };
+    (weights, [places[0], places[1], places[2], run.places(id)[0]])
+}
+
+#[inline(always)]
+fn one<S: Simd, V: Varyings<Packet<S>>, const DERIVATIVES: bool>(
+    s: S,
+    run: &RunView<'_>,
+    position: &dyn Fn(usize) -> [f32; 4],
+    fragments: &Fragments<'_>,
+    id: TriangleId,
+    lanes: &BlockLanes<S>,
+    values: &mut Values<S>,
+) {
+    let words = record_words(V::LEN);
+    let (weights, places) = triangle(s, run, position, fragments, id, words, lanes);
+    let both = Both::new::<V, DERIVATIVES>(s, &weights);
+    let mut k = 0;
+    while k < V::LEN {
+        let [f0, d1, d2] = vertex_values::<S, V>(run, words, &places, k);
+        let corner = Corner3 { f0: f32x16::splat(s, f0), d1: f32x16::splat(s, d1), d2: f32x16::splat(s, d2) };
+        both.set::<V, DERIVATIVES>(values, k, corner);
+        k += 1;
+    }
+}
+
+/// Varying `k` at the first vertex and by how much the others exceed it; of a flat one, at the provoking vertex.
+#[inline(always)]
+fn vertex_values<S: Simd, V: Varyings<Packet<S>>>(
+    run: &RunView<'_>,
+    words: usize,
+    places: &[usize; 4],
+    k: usize,
+) -> [f32; 3] {
+    if V::INTERPOLATION[k] as u8 == Interpolation::Flat as u8 {
+        return [word(run, words, places[3], k), 0.0, 0.0];
+    }
+    let f0 = word(run, words, places[0], k);
+    [f0, word(run, words, places[1], k) - f0, word(run, words, places[2], k) - f0]
+}
+
+#[inline(always)]
+fn word(run: &RunView<'_>, words: usize, place: usize, k: usize) -> f32 {
+    f32::from_bits(run.records[place * words + RECORD_HEADER + k])
+}
+
+#[inline(always)]
+fn distinct<S: Simd>(s: S, ids: u32x16<S>, fragments: &Fragments<'_>, first: u32) -> Distinct {
+    let _ = s;
+    let mut distinct = Distinct { count: 0, ids: [first; 16], masks: [0; 16] };
+    let mut rest = fragments.mask;
+    while rest != 0 {
+        let id = fragments.ids[rest.trailing_zeros() as usize & 15];
+        let same = ids.simd_eq(id).to_bitmask() as u32 & rest;
+        distinct.ids[distinct.count & 15] = id;
+        distinct.masks[distinct.count & 15] = same;
+        distinct.count += 1;
+        rest &= !same;
+    }
+    distinct
+}
+
+#[inline(always)]
+fn has_clipped(distinct: &Distinct) -> bool {
+    let mut any = false;
+    let mut k = 0;
+    while k < distinct.count {
+        any |= TriangleId(distinct.ids[k & 15]).is_clipped();
+        k += 1;
+    }
+    any
+}
+
+#[inline(always)]
+fn few<S: Simd, V: Varyings<Packet<S>>, const DERIVATIVES: bool>(
+    s: S,
+    run: &RunView<'_>,
+    position: &dyn Fn(usize) -> [f32; 4],
+    fragments: &Fragments<'_>,
+    distinct: &Distinct,
+    lanes: &BlockLanes<S>,
+    values: &mut Values<S>,
+) {
+    let words = record_words(V::LEN);
+    let mut places = [[0; 4]; 16];
+    let mut weights;
+    (weights, places[0]) = triangle(s, run, position, fragments, TriangleId(distinct.ids[0]), words, lanes);
+    let mut t = 1;
+    while t < distinct.count {
+        let id = TriangleId(distinct.ids[t & 15]);
+        let (next, next_places) = triangle(s, run, position, fragments, id, words, lanes);
+        places[t & 15] = next_places;
+        let mask = mask32x16::from_bitmask(s, u64::from(distinct.masks[t & 15]));
+        weights.select::<DERIVATIVES>(mask, &next);
+        t += 1;
+    }
+    let both = Both::new::<V, DERIVATIVES>(s, &weights);
+    let mut k = 0;
+    while k < V::LEN {
+        let [f0, d1, d2] = vertex_values::<S, V>(run, words, &places[0], k);
+        let mut corner = Corner3 { f0: f32x16::splat(s, f0), d1: f32x16::splat(s, d1), d2: f32x16::splat(s, d2) };
+        let mut t = 1;
+        while t < distinct.count {
+            let mask = mask32x16::from_bitmask(s, u64::from(distinct.masks[t & 15]));
+            let [f0, d1, d2] = vertex_values::<S, V>(run, words, &places[t & 15], k);
+            corner.f0 = mask.select(f32x16::splat(s, f0), corner.f0);
+            corner.d1 = mask.select(f32x16::splat(s, d1), corner.d1);
+            corner.d2 = mask.select(f32x16::splat(s, d2), corner.d2);
+            t += 1;
+        }
+        both.set::<V, DERIVATIVES>(values, k, corner);
+        k += 1;
+    }
+}
+
+#[inline(always)]
+fn many<S: Simd, V: Varyings<Packet<S>>, const DERIVATIVES: bool>(
+    s: S,
+    run: &RunView<'_>,
+    fragments: &Fragments<'_>,
+    first: u32,
+    lanes: &BlockLanes<S>,
+    values: &mut Values<S>,
+) {
+    let words = record_words(V::LEN);
+    let mut places = [[0; 16]; 3];
+    let mut provoking = [0; 16];
+    let mut lane = 0;
+    while lane < 16 {
+        let id = if fragments.mask >> lane & 1 != 0 { fragments.ids[lane] } else { first };
+        let [a, b, c] = run.canonical_places(TriangleId(id));
+        (places[0][lane], places[1][lane], places[2][lane]) = (a * words, b * words, c * words);
+        provoking[lane] = run.places(TriangleId(id))[0] * words;
+        lane += 1;
+    }
+    // The first row of each record holds x, y, 1 / w and the first varying.
+    let rows = [row(s, run, &places[0], 0), row(s, run, &places[1], 0), row(s, run, &places[2], 0)];
+    let x = (lanes.column << 8) + (fragments.x * SUBPIXELS + HALF_PIXEL);
+    let y = (lanes.row << 8) + (fragments.y * SUBPIXELS + HALF_PIXEL);
+    let [a, b, c] = rows;
+    let vx = [a[0].bitcast::<i32x16<S>>() - x, b[0].bitcast::<i32x16<S>>() - x, c[0].bitcast::<i32x16<S>>() - x];
+    let vy = [a[1].bitcast::<i32x16<S>>() - y, b[1].bitcast::<i32x16<S>>() - y, c[1].bitcast::<i32x16<S>>() - y];
+    let weights = of_lanes(vx, vy, [a[2].bitcast(), b[2].bitcast(), c[2].bitcast()]);
+    let both = Both::new::<V, DERIVATIVES>(s, &weights);
+    let has_flat = has::<V, S>(Interpolation::Flat);
+    let mut first_word = 0;
+    while first_word < words {
+        let (a, b, c) = if first_word == 0 {
+            (rows[0], rows[1], rows[2])
+        } else {
+            (
+                row(s, run, &places[0], first_word),
+                row(s, run, &places[1], first_word),
+                row(s, run, &places[2], first_word),
+            )
+        };
+        let p = if has_flat { row(s, run, &provoking, first_word) } else { a };
+        let mut i = 0;
+        while i < 4 {
+            // Words before the varyings, or behind the last.
+            let k = (first_word + i).wrapping_sub(RECORD_HEADER);
+            if k < V::LEN {
+                let is_flat = V::INTERPOLATION[k] as u8 == Interpolation::Flat as u8;
+                let f0: f32x16<S> = if is_flat { p[i].bitcast() } else { a[i].bitcast() };
+                let corner = Corner3 { f0, d1: b[i].bitcast::<f32x16<S>>() - f0, d2: c[i].bitcast::<f32x16<S>>() - f0 };
+                both.set::<V, DERIVATIVES>(values, k, corner);
+            }
+            i += 1;
+        }
+        first_word += 4;
+    }
+}
+
+/// Four words of each lane's record, as four vectors.
+#[inline(always)]
+fn row<S: Simd>(s: S, run: &RunView<'_>, at: &[usize; 16], first_word: usize) -> [u32x16<S>; 4] {
+    columns4(
+        four(s, run, at, first_word, 0),
+        four(s, run, at, first_word, 4),
+        four(s, run, at, first_word, 8),
+        four(s, run, at, first_word, 12),
+    )
+}
+
+#[inline(always)]
+fn four<S: Simd>(s: S, run: &RunView<'_>, at: &[usize; 16], first_word: usize, lane: usize) -> u32x16<S> {
+    let a = load(s, run, at[lane] + first_word);
+    let b = load(s, run, at[lane + 1] + first_word);
+    let c = load(s, run, at[lane + 2] + first_word);
+    let d = load(s, run, at[lane + 3] + first_word);
+    a.combine(b).combine(c.combine(d))
+}
+
+#[inline(always)]
+fn load<S: Simd>(s: S, run: &RunView<'_>, at: usize) -> u32x4<S> {
+    u32x4::from_slice(s, &run.records[at..at + 4])
+}

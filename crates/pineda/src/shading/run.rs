@@ -1,0 +1,63 @@
+//! What shading knows of a run of triangles: where its vertices are, and what came out of their vertex stage.
+
+use crate::geometry::project::Projection;
+use crate::geometry::raster_space::ScreenVertex;
+use crate::raster::corners::Corners;
+use crate::raster::triangle_id::{ORDERS, TriangleId};
+
+/// Words of a vertex record before its varyings: x and y in subpixels, 1 / w.
+pub(crate) const RECORD_HEADER: usize = 3;
+
+/// Words of the record of a vertex with `varyings` numbers, so that rows of four words can be loaded.
+pub(crate) const fn record_words(varyings: usize) -> usize {
+    (RECORD_HEADER + varyings).next_multiple_of(4)
+}
+
+/// Which vertex of the draw stands at a place.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Source<'a> {
+    /// Vertex `first + place`.
+    Range(usize),
+    /// The vertex that `indices[place]` names.
+    List(&'a [u32]),
+}
+
+impl Source<'_> {
+    #[inline(always)]
+    pub(crate) fn vertex(&self, place: usize) -> usize {
+        match self {
+            Self::Range(first) => first + place,
+            Self::List(indices) => indices[place] as usize,
+        }
+    }
+}
+
+/// A run of triangles of one draw, after the vertex stage.
+#[derive(Clone, Copy)]
+pub(crate) struct RunView<'a> {
+    pub(crate) corners: Corners<'a>,
+    pub(crate) source: Source<'a>,
+    /// The number of its first triangle in the batch.
+    pub(crate) first_number: usize,
+    pub(crate) screen: &'a [ScreenVertex],
+    /// [`record_words`] for each vertex.
+    pub(crate) records: &'a [u32],
+    pub(crate) projection: &'a Projection,
+    pub(crate) front_is_clockwise: bool,
+}
+
+impl RunView<'_> {
+    /// The places of a triangle's vertices, as submitted.
+    #[inline(always)]
+    pub(crate) fn places(&self, id: TriangleId) -> [usize; 3] {
+        self.corners.of(id.number().wrapping_sub(self.first_number))
+    }
+
+    /// The places of a triangle's vertices, in canonical order.
+    #[inline(always)]
+    pub(crate) fn canonical_places(&self, id: TriangleId) -> [usize; 3] {
+        let places = self.places(id);
+        let order = ORDERS[id.order_code() as usize & 7];
+        [places[order[0] as usize % 3], places[order[1] as usize % 3], places[order[2] as usize % 3]]
+    }
+}

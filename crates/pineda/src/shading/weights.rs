@@ -1,0 +1,261 @@
+//! How much each vertex counts at a sample.
+//!
+//! The barycentric coordinates of a point are the areas of the three triangles that it makes with the edges, and these areas are the edge
+//! functions: lambda_0 = E_12(p) / area, and so on. Perspective-correct interpolation divides each by its vertex's w:
+//!
+//! ```text
+//! f(p) = sum(E_i f_i / w_i) / sum(E_i / w_i)
+//! ```
+//!
+//! The edge functions are computed exactly, in integers (or in f64, which holds them), and rounded to f32 once. So whichever way a packet
+//! is filled, with one triangle or with sixteen, a sample gets the same weights.
+//!
+//! A clipped triangle has vertices that are not on the raster. Its weights come from the homogeneous edge functions of Olano and Greer
+//! (1997), e_i(x, y) = (a_i x + b_i y + c_i), where (a_i, b_i, c_i) is the cross product of the other two vertices' (x, y, w): they are
+//! E_i / w_i but for a common factor, and hold behind the eye, too.
+
+use crate::geometry::clip::canonical_positions;
+use crate::geometry::raster_space::{HALF_PIXEL, SUBPIXELS};
+use crate::raster::triangle_id::TriangleId;
+use crate::shading::run::RunView;
+use crate::tile::view::BlockLanes;
+use fearless_simd::{Simd, f32x16, f64x8, i32x16, mask32x16, prelude::*};
+
+/// Coordinates relative to a block's first sample up to which edge functions in the block fit i32: 2 (2^15)^2 = 2^31, less what the
+/// block's 3 pixels add.
+const NEAR: i32 = (1 << 15) - 4 * SUBPIXELS;
+
+/// The weights of the three vertices, in canonical order, before they are divided by their sum.
+#[derive(Clone, Copy)]
+pub(crate) struct Weights<S: Simd> {
+    /// With perspective.
+    pub(crate) perspective: [f32x16<S>; 3],
+    /// On the screen.
+    pub(crate) linear: [f32x16<S>; 3],
+    /// What the perspective ones gain a pixel right, and a pixel down.
+    pub(crate) dx: [f32x16<S>; 3],
+    pub(crate) dy: [f32x16<S>; 3],
+    /// The same of the linear ones.
+    pub(crate) linear_dx: [f32x16<S>; 3],
+    pub(crate) linear_dy: [f32x16<S>; 3],
+}
+
+impl<S: Simd> Weights<S> {
+    /// Those of a triangle on the raster, from its edge functions and their steps.
+    #[inline(always)]
+    fn from_edges(edge: [f32x16<S>; 3], dx: [f32x16<S>; 3], dy: [f32x16<S>; 3], inv_w: [f32x16<S>; 3]) -> Self {
+        Self {
+            perspective: [edge[0] * inv_w[0], edge[1] * inv_w[1], edge[2] * inv_w[2]],
+            linear: edge,
+            dx: [dx[0] * inv_w[0], dx[1] * inv_w[1], dx[2] * inv_w[2]],
+            dy: [dy[0] * inv_w[0], dy[1] * inv_w[1], dy[2] * inv_w[2]],
+            linear_dx: dx,
+            linear_dy: dy,
+        }
+    }
+
+    /// Takes over another triangle's weights in the lanes of a mask.
+    #[inline(always)]
+    pub(crate) fn select<const DERIVATIVES: bool>(&mut self, mask: mask32x16<S>, other: &Self) {
+        let mut k = 0;
+        while k < 3 {
+            self.perspective[k] = mask.select(other.perspective[k], self.perspective[k]);
+            self.linear[k] = mask.select(other.linear[k], self.linear[k]);
+            if DERIVATIVES {
+                self.dx[k] = mask.select(other.dx[k], self.dx[k]);
+                self.dy[k] = mask.select(other.dy[k], self.dy[k]);
+                self.linear_dx[k] = mask.select(other.linear_dx[k], self.linear_dx[k]);
+                self.linear_dy[k] = mask.select(other.linear_dy[k], self.linear_dy[k]);
+            }
+            k += 1;
+        }
+    }
+}
+
+/// The same for all samples of a block: one triangle, at the block whose first pixel is (x, y).
+#[inline(always)]
+pub(crate) fn of_triangle<S: Simd>(
+    s: S,
+    run: &RunView<'_>,
+    words: usize,
+    places: [usize; 3],
+    x: i32,
+    y: i32,
+    lanes: &BlockLanes<S>,
+) -> Weights<S> {
+    let (px, py) = (x * SUBPIXELS + HALF_PIXEL, y * SUBPIXELS + HALF_PIXEL);
+    let mut vx = [0; 3];
+    let mut vy = [0; 3];
+    let mut inv_w = [0.0; 3];
+    let mut k = 0;
+    while k < 3 {
+        let record = &run.records[places[k] * words..places[k] * words + 4];
+        vx[k] = record[0] as i32 - px;
+        vy[k] = record[1] as i32 - py;
+        inv_w[k] = f32::from_bits(record[2]);
+        k += 1;
+    }
+    let mut edge = [f32x16::splat(s, 0.0); 3];
+    let mut step_x = [0; 3];
+    let mut step_y = [0; 3];
+    let mut k = 0;
+    while k < 3 {
+        let (a, b) = ((k + 1) % 3, (k + 2) % 3);
+        step_x[k] = vy[a] - vy[b];
+        step_y[k] = vx[b] - vx[a];
+        k += 1;
+    }
+    if reach(vx).max(reach(vy)) < NEAR {
+        let mut k = 0;
+        while k < 3 {
+            let (a, b) = ((k + 1) % 3, (k + 2) % 3);
+            let first = vx[a] * vy[b] - vx[b] * vy[a];
+            let exact = lanes.column * (step_x[k] * SUBPIXELS) + lanes.row * (step_y[k] * SUBPIXELS) + first;
+            edge[k] = exact.to_float();
+            k += 1;
+        }
+    } else {
+        let (column_low, column_high) = lanes.x.widen();
+        let (row_low, row_high) = lanes.y.widen();
+        let mut k = 0;
+        while k < 3 {
+            let (a, b) = ((k + 1) % 3, (k + 2) % 3);
+            let first = (i64::from(vx[a]) * i64::from(vy[b]) - i64::from(vx[b]) * i64::from(vy[a])) as f64;
+            let right = f64::from(step_x[k]) * f64::from(SUBPIXELS);
+            let down = f64::from(step_y[k]) * f64::from(SUBPIXELS);
+            let low = (column_low * right + row_low * down) + first;
+            let high = (column_high * right + row_high * down) + first;
+            edge[k] = low.narrow(high);
+            k += 1;
+        }
+    }
+    // Differences times 256: exact.
+    let mut dx = edge;
+    let mut dy = edge;
+    let mut w = edge;
+    let mut k = 0;
+    while k < 3 {
+        dx[k] = f32x16::splat(s, step_x[k] as f32 * SUBPIXELS as f32);
+        dy[k] = f32x16::splat(s, step_y[k] as f32 * SUBPIXELS as f32);
+        w[k] = f32x16::splat(s, inv_w[k]);
+        k += 1;
+    }
+    Weights::from_edges(edge, dx, dy, w)
+}
+
+/// One clipped triangle, and which of its vertices as submitted each weight is of.
+#[inline(never)]
+pub(crate) fn of_clipped<S: Simd>(
+    s: S,
+    run: &RunView<'_>,
+    position: &dyn Fn(usize) -> [f32; 4],
+    id: TriangleId,
+    x: i32,
+    y: i32,
+) -> (Weights<S>, [usize; 3]) {
+    let places = run.places(id);
+    let positions = places.map(|place| position(run.source.vertex(place)));
+    let (p, order) = canonical_positions(run.projection, positions);
+    // The largest that a coefficient can contribute on a target, so that all weights are at most 1.
+    let reach = f64::from(crate::MAX_SIZE) * f64::from(SUBPIXELS);
+    let mut coefficients = [[0.0f64; 3]; 3];
+    let mut largest = 0.0f64;
+    for (k, row) in coefficients.iter_mut().enumerate() {
+        let (a, b) = (&p[(k + 1) % 3], &p[(k + 2) % 3]);
+        *row = [a.y * b.w - b.y * a.w, b.x * a.w - a.x * b.w, a.x * b.y - b.x * a.y];
+        largest = largest.max(row[0].abs() * reach + row[1].abs() * reach + row[2].abs());
+    }
+    let scale = if largest > 0.0 && largest.is_finite() { 1.0 / largest } else { 0.0 };
+    let weights = s.vectorize(
+        #[inline(always)]
+        || evaluate_homogeneous(s, &coefficients, scale, [p[0].w, p[1].w, p[2].w], x, y),
+    );
+    (weights, order)
+}
+
+#[inline(always)]
+fn evaluate_homogeneous<S: Simd>(
+    s: S,
+    coefficients: &[[f64; 3]; 3],
+    scale: f64,
+    w: [f64; 3],
+    x: i32,
+    y: i32,
+) -> Weights<S> {
+    let lanes = BlockLanes::new(s);
+    let center = |first: i32| f64::from(first * SUBPIXELS + HALF_PIXEL);
+    let (column_low, column_high) = lanes.x.widen();
+    let (row_low, row_high) = lanes.y.widen();
+    let subpixels = f64::from(SUBPIXELS);
+    let (x_low, x_high) = (column_low * subpixels + center(x), column_high * subpixels + center(x));
+    let (y_low, y_high) = (row_low * subpixels + center(y), row_high * subpixels + center(y));
+    let zero = [f32x16::splat(s, 0.0); 3];
+    let mut weights = Weights { perspective: zero, linear: zero, dx: zero, dy: zero, linear_dx: zero, linear_dy: zero };
+    let mut k = 0;
+    while k < 3 {
+        let [a, b, c] = [coefficients[k][0] * scale, coefficients[k][1] * scale, coefficients[k][2] * scale];
+        let low: f64x8<S> = (x_low * a + y_low * b) + c;
+        let high: f64x8<S> = (x_high * a + y_high * b) + c;
+        weights.perspective[k] = low.narrow(high);
+        weights.linear[k] = (low * w[k]).narrow(high * w[k]);
+        weights.dx[k] = f32x16::splat(s, (a * subpixels) as f32);
+        weights.dy[k] = f32x16::splat(s, (b * subpixels) as f32);
+        weights.linear_dx[k] = f32x16::splat(s, (a * subpixels * w[k]) as f32);
+        weights.linear_dy[k] = f32x16::splat(s, (b * subpixels * w[k]) as f32);
+        k += 1;
+    }
+    weights
+}
+
+/// Another triangle in each lane, none of them clipped: coordinates relative to each lane's own sample, and 1 / w.
+#[inline(always)]
+pub(crate) fn of_lanes<S: Simd>(vx: [i32x16<S>; 3], vy: [i32x16<S>; 3], inv_w: [f32x16<S>; 3]) -> Weights<S> {
+    let mut edge = inv_w;
+    let far = is_far(vx[0]) | is_far(vx[1]) | is_far(vx[2]) | is_far(vy[0]) | is_far(vy[1]) | is_far(vy[2]);
+    let is_near = far.all_false();
+    let mut k = 0;
+    while k < 3 {
+        let (a, b) = ((k + 1) % 3, (k + 2) % 3);
+        if is_near {
+            edge[k] = (vx[a] * vy[b] - vx[b] * vy[a]).to_float();
+        } else {
+            let (ax_low, ax_high) = double(vx[a]);
+            let (bx_low, bx_high) = double(vx[b]);
+            let (ay_low, ay_high) = double(vy[a]);
+            let (by_low, by_high) = double(vy[b]);
+            edge[k] = (ax_low * by_low - bx_low * ay_low).narrow(ax_high * by_high - bx_high * ay_high);
+        }
+        k += 1;
+    }
+    let mut dx = edge;
+    let mut dy = edge;
+    let mut k = 0;
+    while k < 3 {
+        let (a, b) = ((k + 1) % 3, (k + 2) % 3);
+        let (right, down): (f32x16<S>, f32x16<S>) = ((vy[a] - vy[b]).to_float(), (vx[b] - vx[a]).to_float());
+        dx[k] = right * SUBPIXELS as f32;
+        dy[k] = down * SUBPIXELS as f32;
+        k += 1;
+    }
+    Weights::from_edges(edge, dx, dy, inv_w)
+}
+
+#[inline(always)]
+fn reach(v: [i32; 3]) -> i32 {
+    v[0].abs().max(v[1].abs()).max(v[2].abs())
+}
+
+#[inline(always)]
+fn is_far<S: Simd>(v: i32x16<S>) -> mask32x16<S> {
+    v.simd_ge(1 << 15) | v.simd_le(-(1 << 15))
+}
+
+/// As f64. Relative coordinates are below 2^24 + 2^22 in size, and f32 holds every integer up to 2^24; beyond, by halves.
+#[inline(always)]
+fn double<S: Simd>(v: i32x16<S>) -> (f64x8<S>, f64x8<S>) {
+    let high: f32x16<S> = (v >> 12).to_float();
+    let low: f32x16<S> = (v & 0xfff).to_float();
+    let (high_a, high_b) = high.widen();
+    let (low_a, low_b) = low.widen();
+    (high_a * 4096.0 + low_a, high_b * 4096.0 + low_b)
+}

@@ -1,0 +1,231 @@
+//! Large triangles: the tile, then windows of 16 x 16 samples, then blocks of 4 x 4, then samples.
+//!
+//! At each step an edge function is looked at where it is largest and where it is smallest: nowhere inside, and the piece is left out;
+//! everywhere inside, and the edge is forgotten (its steps become 0). In a window, the sixteen blocks are the lanes; in
+//! a block, the sixteen samples are (Abrash 2009, "Rasterization on Larrabee").
+
+use super::sink::Sink;
+use super::view::{BlockLanes, TileView};
+use crate::geometry::raster_space::{HALF_PIXEL, SUBPIXEL_BITS, SUBPIXELS};
+use crate::raster::record::{DepthPlane, LargeTriangle, SampleBox};
+use crate::raster::setup::PixelRect;
+use fearless_simd::{Simd, f32x16, i32x16, mask32x16, prelude::*};
+
+/// The side of a window in blocks, and in samples.
+const WINDOW_BLOCKS: i32 = 4;
+const WINDOW: i32 = 16;
+
+/// An edge function over 256, with the fill rule, as a function of the sample's column and row counted from some first sample.
+/// Within a tile that the edge crosses, all of its values fit i32: see [`crate::geometry::raster_space`].
+#[derive(Clone, Copy)]
+struct Edge {
+    first: i32,
+    step_x: i32,
+    step_y: i32,
+}
+
+impl Edge {
+    /// An edge that everything is inside of.
+    const PASSED: Self = Self { first: 0, step_x: 0, step_y: 0 };
+
+    #[inline(always)]
+    fn at(&self, column: i32, row: i32) -> i32 {
+        self.first + self.step_x * column + self.step_y * row
+    }
+}
+
+/// The three edges over `columns` x `rows` samples from raster point (x, y) on; `None` if no sample there can be inside.
+#[inline(always)]
+fn edges(t: &LargeTriangle, x: i32, y: i32, columns: i32, rows: i32) -> Option<[Edge; 3]> {
+    let mut edges = [Edge::PASSED; 3];
+    let mut k = 0;
+    while k < 3 {
+        let (a, b) = (t.vertex(k), t.vertex((k + 1) % 3));
+        let (dx, dy) = (b.0 - a.0, b.1 - a.1);
+        let bias = i64::from(t.0[13] >> k & 1) - 1;
+        let first = (dx * (i64::from(y) - a.1) - dy * (i64::from(x) - a.0) + bias) >> SUBPIXEL_BITS;
+        let (across, down) = (-dy * i64::from(columns - 1), dx * i64::from(rows - 1));
+        if first + across.max(0) + down.max(0) < 0 {
+            return None;
+        }
+        if first + across.min(0) + down.min(0) < 0 {
+            debug_assert!(i32::try_from(first).is_ok(), "the edge crosses the tile");
+            edges[k] = Edge { first: first as i32, step_x: -dy as i32, step_y: dx as i32 };
+        }
+        k += 1;
+    }
+    Some(edges)
+}
+
+/// Hands over the samples of a large triangle that lie in a tile.
+#[inline(always)]
+pub(crate) fn large<S: Simd, K: Sink<S>>(
+    s: S,
+    t: &LargeTriangle,
+    view: &TileView,
+    rect: Option<&PixelRect>,
+    lanes: &BlockLanes<S>,
+    sink: &mut K,
+) {
+    if sink.hides_tile(f32::from_bits(t.0[12])) {
+        return;
+    }
+    let samples = SampleBox::unpack(t.0[1], t.0[2]);
+    let (x0, y0) = ((samples.x0 - view.x).max(0), (samples.y0 - view.y).max(0));
+    let (x1, y1) = ((samples.x1 - view.x).min(view.side - 1), (samples.y1 - view.y).min(view.side - 1));
+    let (wx0, wy0, wx1, wy1) = (x0 / WINDOW, y0 / WINDOW, x1 / WINDOW, y1 / WINDOW);
+    let (px, py) = ((view.x + wx0 * WINDOW) * SUBPIXELS + HALF_PIXEL, (view.y + wy0 * WINDOW) * SUBPIXELS + HALF_PIXEL);
+    let Some(edges) = edges(t, px, py, (wx1 - wx0 + 1) * WINDOW, (wy1 - wy0 + 1) * WINDOW) else { return };
+    let is_inside_all = edges.iter().all(|e| e.step_x == 0 && e.step_y == 0);
+
+    let plane = DepthPlane::unpack(&t.0);
+    let (ax, ay) = t.vertex(0);
+    // Distances of the first window's first sample from the anchor, in pixels: exact.
+    let (fx0, fy0) = ((px - ax as i32) as f32 / SUBPIXELS as f32, (py - ay as i32) as f32 / SUBPIXELS as f32);
+    let blocks = BlockEdges::new(s, lanes, &edges);
+
+    let mut wy = wy0;
+    while wy <= wy1 {
+        let mut wx = wx0;
+        while wx <= wx1 {
+            let (column, row) = ((wx - wx0) * WINDOW, (wy - wy0) * WINDOW);
+            let (fx, fy) = (fx0 + column as f32, fy0 + row as f32);
+            let window = (wy * (view.side / WINDOW) + wx) as usize;
+            let depths = depth_range(&plane, fx, fy);
+            wx += 1;
+            if sink.hides_window(window, depths.0) {
+                continue;
+            }
+            let (wx_px, wy_px) = ((wx - 1) * WINDOW, wy * WINDOW);
+            let is_whole =
+                is_inside_all && x0 <= wx_px && x1 >= wx_px + WINDOW - 1 && y0 <= wy_px && y1 >= wy_px + WINDOW - 1;
+            if is_whole {
+                whole_window(s, t.0[0], &plane, view.block(wx_px / 4, wy_px / 4), view.stride, fx, fy, lanes, sink);
+                sink.covered_window(window, depths.1);
+                continue;
+            }
+            let mut candidates = blocks.touched(s, &edges, column, row);
+            candidates &= blocks_within(wx_px / 4, wy_px / 4, x0 >> 2, y0 >> 2, x1 >> 2, y1 >> 2);
+            let window_edges = blocks.rows(&edges, column, row);
+            while candidates != 0 {
+                let k = candidates.trailing_zeros() as usize & 15;
+                candidates &= candidates - 1;
+                let (bx, by) = ((k & 3) as i32, (k >> 2) as i32);
+                let mut inside = blocks.inside(&window_edges, k);
+                if let Some(rect) = rect {
+                    inside = inside & lanes.within(rect, view.x + wx_px + 4 * bx, view.y + wy_px + 4 * by);
+                }
+                let z = depths_at(lanes, &plane, fx + (4 * bx) as f32, fy + (4 * by) as f32);
+                sink.samples(s, view.block(wx_px / 4 + bx, wy_px / 4 + by), inside, z, t.0[0]);
+            }
+        }
+        wy += 1;
+    }
+}
+
+/// The edge functions in the lanes: over a block's samples, and over a window's blocks.
+#[derive(Clone, Copy)]
+struct BlockEdges<S: Simd> {
+    /// By how much a sample's edge function exceeds the one of its block's first sample.
+    samples: [i32x16<S>; 3],
+    /// By how much the largest edge function in a block exceeds the one of its window's first sample.
+    largest: [i32x16<S>; 3],
+}
+
+impl<S: Simd> BlockEdges<S> {
+    #[inline(always)]
+    fn new(s: S, lanes: &BlockLanes<S>, edges: &[Edge; 3]) -> Self {
+        let mut samples = [i32x16::splat(s, 0); 3];
+        let mut largest = samples;
+        let mut k = 0;
+        while k < 3 {
+            samples[k] = lanes.column * edges[k].step_x + lanes.row * edges[k].step_y;
+            largest[k] = (samples[k] << 2) + (edges[k].step_x.max(0) * 3 + edges[k].step_y.max(0) * 3);
+            k += 1;
+        }
+        Self { samples, largest }
+    }
+
+    /// A bit for each of a window's blocks that has a sample inside all edges, taken one by one.
+    #[inline(always)]
+    fn touched(&self, _: S, edges: &[Edge; 3], column: i32, row: i32) -> u64 {
+        let [a, b, c] = [edges[0].at(column, row), edges[1].at(column, row), edges[2].at(column, row)];
+        ((self.largest[0] + a) | (self.largest[1] + b) | (self.largest[2] + c)).simd_ge(0).to_bitmask()
+    }
+
+    /// The edge functions at the first sample of each of a window's blocks.
+    #[inline(always)]
+    fn rows(&self, edges: &[Edge; 3], column: i32, row: i32) -> [[i32; 16]; 3] {
+        [
+            ((self.samples[0] << 2) + edges[0].at(column, row)).into(),
+            ((self.samples[1] << 2) + edges[1].at(column, row)).into(),
+            ((self.samples[2] << 2) + edges[2].at(column, row)).into(),
+        ]
+    }
+
+    /// The samples inside of block `k`.
+    #[inline(always)]
+    fn inside(&self, rows: &[[i32; 16]; 3], k: usize) -> mask32x16<S> {
+        ((self.samples[0] + rows[0][k]) | (self.samples[1] + rows[1][k]) | (self.samples[2] + rows[2][k])).simd_ge(0)
+    }
+}
+
+/// The nearest and the farthest depth of a window, before clamping. Rounding is monotone: no sample's depth, computed by the same
+/// operations, lies outside.
+#[inline(always)]
+fn depth_range(plane: &DepthPlane, fx: f32, fy: f32) -> (f32, f32) {
+    let last = (WINDOW - 1) as f32;
+    let (left, right) = (fx * plane.dz_dx + plane.z0, (fx + last) * plane.dz_dx + plane.z0);
+    let (top, bottom) = (fy * plane.dz_dy, (fy + last) * plane.dz_dy);
+    (left.min(right) + top.min(bottom), left.max(right) + top.max(bottom))
+}
+
+#[inline(always)]
+fn depths_at<S: Simd>(lanes: &BlockLanes<S>, plane: &DepthPlane, fx: f32, fy: f32) -> f32x16<S> {
+    ((lanes.x + fx) * plane.dz_dx + plane.z0) + (lanes.y + fy) * plane.dz_dy
+}
+
+/// All sixteen blocks of a window, with the terms of its columns and rows computed once.
+#[inline(always)]
+#[expect(clippy::too_many_arguments, reason = "one call, inlined")]
+fn whole_window<S: Simd, K: Sink<S>>(
+    s: S,
+    id: u32,
+    plane: &DepthPlane,
+    first_block: usize,
+    stride: usize,
+    fx: f32,
+    fy: f32,
+    lanes: &BlockLanes<S>,
+    sink: &mut K,
+) {
+    let x = lanes.x + fx;
+    let columns = [
+        x * plane.dz_dx + plane.z0,
+        (x + 4.0) * plane.dz_dx + plane.z0,
+        (x + 8.0) * plane.dz_dx + plane.z0,
+        (x + 12.0) * plane.dz_dx + plane.z0,
+    ];
+    let all = mask32x16::splat(s, true);
+    let mut block = first_block;
+    let mut k = 0;
+    while k < 4 {
+        let row = (lanes.y + (fy + (4 * k) as f32)) * plane.dz_dy;
+        sink.samples(s, block, all, columns[0] + row, id);
+        sink.samples(s, block + 1, all, columns[1] + row, id);
+        sink.samples(s, block + 2, all, columns[2] + row, id);
+        sink.samples(s, block + 3, all, columns[3] + row, id);
+        block += stride;
+        k += 1;
+    }
+}
+
+/// A bit for each block of the window from block (bx, by) on that lies within (x0, y0) to (x1, y1), in blocks, both inclusive.
+#[inline(always)]
+pub(crate) fn blocks_within(bx: i32, by: i32, x0: i32, y0: i32, x1: i32, y1: i32) -> u64 {
+    let (left, right) = ((x0 - bx).max(0), (x1 - bx).min(WINDOW_BLOCKS - 1));
+    let (top, bottom) = ((y0 - by).max(0), (y1 - by).min(WINDOW_BLOCKS - 1));
+    let columns = ((2u64 << right) - 1) & !((1u64 << left) - 1);
+    let rows = ((0x10u64 << (4 * bottom)) - 1) & !((1u64 << (4 * top)) - 1);
+    (columns * 0x1111) & rows
+}

@@ -1,0 +1,49 @@
+//! Tiles: coverage, depth and visibility of the binned triangles, a square of the picture at a time.
+//!
+//! A tile is stored as blocks of 4 x 4 samples: a block is sixteen lanes and one cache line. Around the tile's blocks there is a border of
+//! one block, so that a small triangle that hangs over the tile's edge needs no clipping; what lands in the border is never read.
+
+pub(crate) mod coverage;
+pub(crate) mod large;
+pub(crate) mod mid;
+pub(crate) mod outputs;
+pub(crate) mod paint;
+pub(crate) mod sink;
+pub(crate) mod small;
+pub(crate) mod view;
+
+use view::TileView;
+
+/// The depth and visibility buffers of the tile that a thread is working on.
+#[derive(Debug, Default)]
+pub(crate) struct Tile {
+    /// Depths as the bits of f32 in 0 to 1, which compare as integers.
+    pub(crate) depth: Vec<[i32; 16]>,
+    /// The visible triangle of each sample, a [`TriangleId`](crate::raster::triangle_id::TriangleId); 0 is none.
+    pub(crate) id: Vec<[u32; 16]>,
+    /// An upper bound of the depths in each 16 x 16 window, row by row. What is not nearer is hidden.
+    pub(crate) windows: [f32; 16],
+    /// The largest of them.
+    pub(crate) farthest: f32,
+    /// The triangle that each sample shows, whether its colour is there already or not; empty unless the target asks for it.
+    pub(crate) shown: Vec<[u32; 16]>,
+    pub(crate) worklist: mid::Worklist,
+}
+
+impl Tile {
+    /// Starts a tile with one depth everywhere and nothing visible.
+    pub(crate) fn clear(&mut self, view: &TileView, depth: f32) {
+        let blocks = view.block_count();
+        self.depth.clear();
+        self.depth.resize(blocks, [depth.to_bits() as i32; 16]);
+        self.id.clear();
+        self.id.resize(blocks, [0; 16]);
+        self.bound(depth);
+    }
+
+    /// Forgets what is known of the depths but that none is beyond `farthest`.
+    pub(crate) fn bound(&mut self, farthest: f32) {
+        self.windows = [farthest; 16];
+        self.farthest = farthest;
+    }
+}

@@ -1,0 +1,185 @@
+//! A tile's way to and from the target's buffers.
+
+use super::paint::{Painter, Painting};
+use super::view::{BlockLanes, TileView};
+use crate::raster::triangle_id::{ORDERS, TriangleId};
+use crate::shading::run::RunView;
+use crate::shading::weights::{Weights, of_clipped, of_triangle};
+use crate::target::bands::TileRows;
+use crate::target::{ColorBuffer, NO_ID};
+use fearless_simd::{Simd, dispatch};
+
+/// Loads what the tile does not clear.
+pub(crate) fn load(painter: &mut Painter, painting: &Painting<'_>, view: &TileView, row: usize) {
+    let loads_color = painting.start.color.is_none();
+    let loads_depth = painting.start.depth.is_none() && painting.wants.depth;
+    if !loads_color && !loads_depth {
+        return;
+    }
+    let rows = TileRows::new(view, painting.width, painting.height);
+    let block = |row: usize| view.block(0, row as i32);
+    let mut band = painting.bands.lock(row);
+    if loads_color {
+        match &mut band.color {
+            ColorBuffer::None => {}
+            ColorBuffer::Rgba8(pixels) | ColorBuffer::Rgba8Srgb(pixels) => {
+                rows.load(pixels, &mut painter.color.packed, block, u32::from_le_bytes);
+            }
+            ColorBuffer::Rgba32F(pixels) => {
+                let float = &mut painter.color.float;
+                rows.for_each(pixels, block, |piece, block, first| {
+                    for (k, pixel) in piece.iter().enumerate() {
+                        for (channel, &value) in float[block].iter_mut().zip(pixel) {
+                            channel[first + k] = value;
+                        }
+                    }
+                });
+            }
+        }
+    }
+    if let Some(depth) = band.depth.as_deref_mut().filter(|_| loads_depth) {
+        // Depths are compared as integers, which is right for 0 to 1 only. NaN becomes 0.
+        let to_bits = |z: f32| if z > 0.0 { z.min(1.0).to_bits() as i32 } else { 0 };
+        rows.load(depth, &mut painter.tile.depth, block, to_bits);
+        painter.tile.bound(1.0);
+    }
+}
+
+/// Copies the tile out.
+pub(crate) fn store(painter: &mut Painter, painting: &Painting<'_>, view: &TileView, row: usize) {
+    let rows = TileRows::new(view, painting.width, painting.height);
+    let block = |row: usize| view.block(0, row as i32);
+    let mut barycentrics = Vec::new();
+    let mut guard = painting.bands.lock(row);
+    if guard.barycentrics.is_some() {
+        // The computation is long; the band is for copying only.
+        drop(guard);
+        barycentrics = barycentric_blocks(painter, painting, view);
+        guard = painting.bands.lock(row);
+    }
+    let band = &mut *guard;
+    match &mut band.color {
+        ColorBuffer::None => {}
+        ColorBuffer::Rgba8(pixels) | ColorBuffer::Rgba8Srgb(pixels) => {
+            rows.store(pixels, &painter.color.packed, block, u32::to_le_bytes);
+        }
+        ColorBuffer::Rgba32F(pixels) => {
+            let float = &painter.color.float;
+            rows.for_each(pixels, block, |piece, block, first| {
+                for (k, pixel) in piece.iter_mut().enumerate() {
+                    *pixel = [0, 1, 2, 3].map(|channel| float[block][channel][first + k]);
+                }
+            });
+        }
+    }
+    if let Some(depth) = band.depth.as_deref_mut() {
+        rows.store(depth, &painter.tile.depth, block, |bits| f32::from_bits(bits as u32));
+    }
+    let (shown, is_first) = (&painter.tile.shown, painting.start.is_first);
+    if let Some(ids) = band.triangle_ids.as_deref_mut() {
+        store_ids(&rows, ids, shown, view, is_first, |id| {
+            let number = TriangleId(id).number();
+            let run = &painting.batch.runs[painting.batch.run_of(number)];
+            (run.first_triangle + (number - run.first_number)) as u32
+        });
+    }
+    if let Some(ids) = band.draw_ids.as_deref_mut() {
+        store_ids(&rows, ids, shown, view, is_first, |id| {
+            painting.batch.runs[painting.batch.run_of(TriangleId(id).number())].draw as u32
+        });
+    }
+    if let Some(pixels) = band.barycentrics.as_deref_mut() {
+        rows.for_each(pixels, block, |piece, block, first| {
+            for (k, pixel) in piece.iter_mut().enumerate() {
+                if is_first || shown[block][first + k] != 0 {
+                    *pixel = barycentrics[block][first + k];
+                }
+            }
+        });
+    }
+    if let Some(hits) = band.hits.as_deref_mut() {
+        rows.for_each(hits, block, |piece, block, first| {
+            for (k, pixel) in piece.iter_mut().enumerate() {
+                let before = if is_first { 0 } else { *pixel };
+                *pixel = before + painter.hits[block][first + k];
+            }
+        });
+    }
+}
+
+fn store_ids(
+    rows: &TileRows,
+    ids: &mut [u32],
+    shown: &[[u32; 16]],
+    view: &TileView,
+    is_first: bool,
+    convert: impl Fn(u32) -> u32,
+) {
+    rows.for_each(
+        ids,
+        |row| view.block(0, row as i32),
+        |piece, block, first| {
+            for (k, pixel) in piece.iter_mut().enumerate() {
+                match shown[block][first + k] {
+                    0 if is_first => *pixel = NO_ID,
+                    0 => {}
+                    id => *pixel = convert(id),
+                }
+            }
+        },
+    );
+}
+
+/// The barycentric coordinates of every sample; zeros where nothing is shown.
+fn barycentric_blocks(painter: &Painter, painting: &Painting<'_>, view: &TileView) -> Vec<[[f32; 3]; 16]> {
+    let shown = &painter.tile.shown;
+    let mut blocks = vec![[[0.0; 3]; 16]; shown.len()];
+    for (block, (ids, out)) in shown.iter().zip(&mut blocks).enumerate() {
+        let (x, y) = view.pixel_of(block);
+        let mut done = 0u32;
+        for lane in 0..16 {
+            let id = TriangleId(ids[lane]);
+            if done >> lane & 1 != 0 || id.0 == 0 {
+                continue;
+            }
+            let run = painting.batch.run_of(id.number());
+            let call = &painting.draws[painting.batch.runs[run].draw];
+            let position = |vertex: usize| call.position(vertex);
+            let (words, run) = (call.record_words(), &painting.runs[run]);
+            let (values, order) = dispatch!(painting.level, s => coordinates(s, run, words, &position, id, x, y));
+            for same in lane..16 {
+                if ids[same] == id.0 {
+                    done |= 1 << same;
+                    for (k, &vertex) in order.iter().enumerate() {
+                        out[same][vertex] = values[k][same];
+                    }
+                }
+            }
+        }
+    }
+    blocks
+}
+
+/// The coordinates of a triangle at a block's samples, in canonical order, and the submitted vertex that each of the three is of.
+#[inline(always)]
+fn coordinates<S: Simd>(
+    s: S,
+    run: &RunView<'_>,
+    words: usize,
+    position: &dyn Fn(usize) -> [f32; 4],
+    id: TriangleId,
+    x: i32,
+    y: i32,
+) -> ([[f32; 16]; 3], [usize; 3]) {
+    let submitted = run.places(id);
+    let (weights, order): (Weights<S>, [usize; 3]) = if id.is_clipped() {
+        of_clipped(s, run, position, id, x, y)
+    } else {
+        let order = ORDERS[id.order_code() as usize & 7].map(usize::from);
+        let places = order.map(|k| submitted[k]);
+        (of_triangle(s, run, words, places, x, y, &BlockLanes::new(s)), order)
+    };
+    let [a, b, c] = weights.perspective;
+    let sum = (a + b) + c;
+    ([(a / sum).into(), (b / sum).into(), (c / sum).into()], order)
+}

@@ -1,0 +1,360 @@
+//! One tile from its bins to the target: visibility, shading, ordered draws, copying out.
+
+use super::coverage::cover;
+use super::sink::{AnyCompare, HitCounter, Less, Sink, Visibility, depth_bits};
+use super::view::TileView;
+use super::{Tile, outputs};
+use crate::pass::Compare;
+use crate::pass::draw_call::DrawCall;
+use crate::pass::plan::{Batch, Segment, SegmentKind};
+use crate::raster::bins::{BinEntry, Share, TileGrid};
+use crate::raster::setup::PixelRect;
+use crate::raster::triangle_id::TriangleId;
+use crate::shading::run::RunView;
+use crate::shading::shade::{OrderedPacket, OrderedState, Packets, ShadedTile, VisiblePacket};
+use crate::target::bands::Bands;
+use crate::target::format::{ColorFormat, TileColor};
+use fearless_simd::{Level, Simd, dispatch, f32x16, mask32x16, prelude::*, u32x16};
+
+/// A batch that is ready to be painted, and what it is painted on.
+pub(crate) struct Painting<'a> {
+    pub(crate) level: Level,
+    pub(crate) grid: TileGrid,
+    pub(crate) width: u32,
+    pub(crate) height: u32,
+    pub(crate) draws: &'a [Box<dyn DrawCall + 'a>],
+    pub(crate) batch: &'a Batch<'a>,
+    /// One for each of the batch's runs.
+    pub(crate) runs: &'a [RunView<'a>],
+    /// In submission order.
+    pub(crate) shares: &'a [Share],
+    pub(crate) bands: &'a Bands<'a>,
+    pub(crate) start: Start,
+    pub(crate) wants: Wants,
+}
+
+/// What tiles start with; `None` is what the target holds.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Start {
+    pub(crate) color: Option<[f32; 4]>,
+    pub(crate) depth: Option<f32>,
+    /// Whether ids, barycentric coordinates and hits start empty.
+    pub(crate) is_first: bool,
+}
+
+/// What the target asks for.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Wants {
+    pub(crate) color: ColorFormat,
+    pub(crate) depth: bool,
+    /// Triangle ids, draw ids or barycentric coordinates.
+    pub(crate) ids: bool,
+    pub(crate) hits: bool,
+}
+
+/// What a thread paints with; kept from pass to pass.
+#[derive(Debug)]
+pub(crate) struct Painter {
+    pub(crate) tile: Tile,
+    pub(crate) color: TileColor,
+    pub(crate) hits: Vec<[u32; 16]>,
+    visible: Vec<(u32, VisiblePacket)>,
+    packets: Vec<VisiblePacket>,
+    ordered: Vec<OrderedPacket>,
+}
+
+/// Ordered packets are shaded when there are this many.
+const ORDERED_PACKETS: usize = 256;
+
+impl Painter {
+    pub(crate) fn new() -> Self {
+        Self {
+            tile: Tile::default(),
+            color: TileColor::new(ColorFormat::None),
+            hits: Vec::new(),
+            visible: Vec::new(),
+            packets: Vec::new(),
+            ordered: Vec::new(),
+        }
+    }
+
+    /// Paints tile `number` and copies it to the target.
+    pub(crate) fn paint(&mut self, painting: &Painting<'_>, number: usize) {
+        // Neighbours in this order lie in different bands, so that threads do not wait for each other's.
+        let (row, column) = (number as u32 % painting.grid.rows, number as u32 / painting.grid.rows);
+        let view = TileView::new(column, row, painting.grid.log2);
+        let bin = row as usize * painting.grid.columns as usize + column as usize;
+        self.start(painting, &view, row as usize);
+        let mut has_visible = false;
+        for share in painting.shares {
+            for (segment, entries) in Stretches::new(share, &share.bins[bin]) {
+                let segment = &painting.batch.segments[segment];
+                if painting.wants.hits {
+                    self.count(painting, share, entries, &view, segment);
+                }
+                match segment.kind {
+                    SegmentKind::Deferred(compare) => {
+                        self.resolve_visibility(painting, share, entries, &view, segment, compare);
+                        has_visible = true;
+                    }
+                    SegmentKind::Ordered { run } => {
+                        if std::mem::take(&mut has_visible) {
+                            self.shade_visible(painting, &view);
+                            self.keep_shown();
+                        }
+                        self.draw_in_order(painting, share, entries, &view, segment, run);
+                    }
+                }
+            }
+        }
+        if has_visible {
+            self.shade_visible(painting, &view);
+            self.keep_shown();
+        }
+        outputs::store(self, painting, &view, row as usize);
+    }
+
+    /// Gives the tile its first contents.
+    fn start(&mut self, painting: &Painting<'_>, view: &TileView, row: usize) {
+        let Painting { start, wants, .. } = painting;
+        self.tile.clear(view, start.depth.unwrap_or(1.0));
+        self.tile.shown.clear();
+        if wants.ids {
+            self.tile.shown.resize(view.block_count(), [0; 16]);
+        }
+        self.hits.clear();
+        if wants.hits {
+            self.hits.resize(view.block_count(), [0; 16]);
+        }
+        self.color.format = wants.color;
+        self.color.clear(view.block_count(), start.color.unwrap_or_default());
+        outputs::load(self, painting, view, row);
+    }
+
+    fn count(
+        &mut self,
+        painting: &Painting<'_>,
+        share: &Share,
+        entries: &[BinEntry],
+        view: &TileView,
+        segment: &Segment,
+    ) {
+        let mut sink = HitCounter(&mut self.hits);
+        let work = &mut self.tile.worklist;
+        dispatch!(painting.level, s => cover(s, share, entries, view, segment.rect.as_ref(), work, &mut sink));
+    }
+
+    /// Coverage and depth of triangles whose shading can wait.
+    fn resolve_visibility(
+        &mut self,
+        painting: &Painting<'_>,
+        share: &Share,
+        entries: &[BinEntry],
+        view: &TileView,
+        segment: &Segment,
+        compare: Compare,
+    ) {
+        let (tile, rect) = (&mut self.tile, segment.rect.as_ref());
+        let windows = (view.side as usize / 16).pow(2);
+        let wants_ids = painting.wants.ids || painting.wants.color != ColorFormat::None;
+        dispatch!(painting.level, s => match (compare, wants_ids) {
+            (Compare::Less, true) => visibility::<_, true>(s, share, entries, view, rect, tile, windows),
+            (Compare::Less, false) => visibility::<_, false>(s, share, entries, view, rect, tile, windows),
+            _ => any_visibility(s, share, entries, view, rect, tile, windows, compare),
+        });
+    }
+
+    /// Shades every sample of the visibility buffer, draw by draw.
+    fn shade_visible(&mut self, painting: &Painting<'_>, view: &TileView) {
+        if painting.wants.color == ColorFormat::None {
+            return;
+        }
+        self.visible.clear();
+        let (tile, visible) = (&self.tile, &mut self.visible);
+        dispatch!(painting.level, s => collect_visible(s, painting.batch, tile, view, visible));
+        // Stable and, for one run, a single comparison each.
+        self.visible.sort_by_key(|&(run, _)| run);
+        for group in self.visible.chunk_by(|(a, _), (b, _)| a == b) {
+            let run = group[0].0 as usize;
+            self.packets.clear();
+            self.packets.extend(group.iter().map(|&(_, packet)| packet));
+            let call = &painting.draws[painting.batch.runs[run].draw];
+            let shaded = ShadedTile { view, tile: &mut self.tile, color: &mut self.color };
+            call.run_fragments(painting.level, &painting.runs[run], Packets::Visible(&self.packets), shaded);
+        }
+    }
+
+    /// Notes what was shaded, and empties the visibility buffer.
+    fn keep_shown(&mut self) {
+        for (shown, ids) in self.tile.shown.iter_mut().zip(&self.tile.id) {
+            for (to, &id) in shown.iter_mut().zip(ids) {
+                if id != 0 {
+                    *to = id;
+                }
+            }
+        }
+        self.tile.id.fill([0; 16]);
+    }
+
+    /// Draws triangles one after the other: those that blend, or may discard, or do not write depth.
+    fn draw_in_order(
+        &mut self,
+        painting: &Painting<'_>,
+        share: &Share,
+        entries: &[BinEntry],
+        view: &TileView,
+        segment: &Segment,
+        run: usize,
+    ) {
+        let call = &painting.draws[painting.batch.runs[run].draw];
+        let (depth, blend) = (call.state().depth, call.state().blend);
+        let state = OrderedState { depth, blend };
+        self.tile.bound(1.0);
+        let mut work = std::mem::take(&mut self.tile.worklist);
+        let mut sink = InOrder {
+            packets: &mut self.ordered,
+            flush: &mut |packets: &[OrderedPacket]| {
+                let shaded = ShadedTile { view, tile: &mut self.tile, color: &mut self.color };
+                call.run_fragments(painting.level, &painting.runs[run], Packets::Ordered(packets, state), shaded);
+            },
+        };
+        dispatch!(painting.level, s => cover(s, share, entries, view, segment.rect.as_ref(), &mut work, &mut sink));
+        sink.finish();
+        self.tile.worklist = work;
+    }
+}
+
+#[inline(always)]
+fn visibility<S: Simd, const ID: bool>(
+    s: S,
+    share: &Share,
+    entries: &[BinEntry],
+    view: &TileView,
+    rect: Option<&PixelRect>,
+    tile: &mut Tile,
+    windows: usize,
+) {
+    let (mut sink, work) = Visibility::<Less, ID>::new::<S>(tile, windows, Less);
+    cover(s, share, entries, view, rect, work, &mut sink);
+}
+
+#[inline(always)]
+#[expect(clippy::too_many_arguments, reason = "one call, inlined")]
+fn any_visibility<S: Simd>(
+    s: S,
+    share: &Share,
+    entries: &[BinEntry],
+    view: &TileView,
+    rect: Option<&PixelRect>,
+    tile: &mut Tile,
+    windows: usize,
+    compare: Compare,
+) {
+    let (mut sink, work) = Visibility::<AnyCompare, true>::new::<S>(tile, windows, AnyCompare(compare));
+    cover(s, share, entries, view, rect, work, &mut sink);
+}
+
+/// The blocks with something visible, and of which run; a block that shows several runs comes several times.
+#[inline(always)]
+fn collect_visible<S: Simd>(
+    s: S,
+    batch: &Batch<'_>,
+    tile: &Tile,
+    view: &TileView,
+    out: &mut Vec<(u32, VisiblePacket)>,
+) {
+    let blocks = view.side / 4;
+    let mut by = 0;
+    while by < blocks {
+        let mut bx = 0;
+        while bx < blocks {
+            let block = view.block(bx, by);
+            let ids = u32x16::simd_from(s, tile.id[block]);
+            let mut rest = ids.simd_gt(0).to_bitmask() as u32;
+            while rest != 0 {
+                let mut run = 0;
+                let mut mask = rest;
+                if batch.runs.len() > 1 {
+                    let id = TriangleId(tile.id[block][rest.trailing_zeros() as usize & 15]);
+                    run = batch.run_of(id.number());
+                    let last = batch.runs[run].first_number + batch.runs[run].triangles;
+                    let first = TriangleId::first(batch.runs[run].first_number);
+                    mask &= (ids.simd_ge(first) & ids.simd_lt(TriangleId::first(last))).to_bitmask() as u32;
+                }
+                out.push((run as u32, VisiblePacket { block: block as u32, mask }));
+                rest &= !mask;
+            }
+            bx += 1;
+        }
+        by += 1;
+    }
+}
+
+/// The stretches of a tile's bin that belong to one segment each.
+struct Stretches<'a> {
+    share: &'a Share,
+    rest: &'a [BinEntry],
+}
+
+impl<'a> Stretches<'a> {
+    fn new(share: &'a Share, bin: &'a [BinEntry]) -> Self {
+        Self { share, rest: bin }
+    }
+}
+
+impl<'a> Iterator for Stretches<'a> {
+    type Item = (usize, &'a [BinEntry]);
+
+    fn next(&mut self) -> Option<Self::Item> {
+        let &first = self.rest.first()?;
+        let next = self.share.segments.partition_point(|start| start.is_before(first));
+        let length = match self.share.segments.get(next) {
+            Some(start) => self.rest.partition_point(|&entry| !start.is_before(entry)),
+            None => self.rest.len(),
+        };
+        let (stretch, rest) = self.rest.split_at(length);
+        self.rest = rest;
+        Some((self.share.segments[next - 1].segment, stretch))
+    }
+}
+
+/// Collects covered blocks in order, and has them shaded when there are enough.
+struct InOrder<'a, F: FnMut(&[OrderedPacket])> {
+    packets: &'a mut Vec<OrderedPacket>,
+    flush: &'a mut F,
+}
+
+impl<F: FnMut(&[OrderedPacket])> InOrder<'_, F> {
+    #[inline(never)]
+    fn finish(&mut self) {
+        (self.flush)(self.packets);
+        self.packets.clear();
+    }
+}
+
+impl<S: Simd, F: FnMut(&[OrderedPacket])> Sink<S> for InOrder<'_, F> {
+    #[inline(always)]
+    fn samples(&mut self, _: S, block: usize, inside: mask32x16<S>, z: f32x16<S>, id: u32) {
+        let mask = inside.to_bitmask() as u32;
+        if mask != 0 {
+            let depth = depth_bits(z).into();
+            self.packets.push(OrderedPacket { depth, id, block: block as u32, mask });
+            if self.packets.len() == ORDERED_PACKETS {
+                self.finish();
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn hides_tile(&self, _: f32) -> bool {
+        false
+    }
+
+    #[inline(always)]
+    fn hides_window(&self, _: usize, _: f32) -> bool {
+        false
+    }
+
+    #[inline(always)]
+    fn covered_window(&mut self, _: usize, _: f32) {}
+}

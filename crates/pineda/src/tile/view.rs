@@ -1,0 +1,68 @@
+//! Where a tile lies, and how its blocks are numbered.
+
+use crate::raster::setup::PixelRect;
+use fearless_simd::{Simd, f32x16, i32x16, mask32x16, prelude::*};
+
+/// A tile's place in the picture and the shape of its buffers.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct TileView {
+    /// Its first pixel.
+    pub(crate) x: i32,
+    pub(crate) y: i32,
+    /// Its side in pixels.
+    pub(crate) side: i32,
+    /// Blocks from one row to the next, borders included.
+    pub(crate) stride: usize,
+}
+
+impl TileView {
+    pub(crate) fn new(column: u32, row: u32, log2: u32) -> Self {
+        let side = 1 << log2;
+        Self { x: column as i32 * side, y: row as i32 * side, side, stride: side as usize / 4 + 2 }
+    }
+
+    /// Blocks of a tile with its border.
+    pub(crate) fn block_count(&self) -> usize {
+        self.stride * self.stride
+    }
+
+    /// The number of block (x, y), where (0, 0) is the tile's first and -1 is the border's.
+    #[inline(always)]
+    pub(crate) fn block(&self, x: i32, y: i32) -> usize {
+        (y + 1) as usize * self.stride + (x + 1) as usize
+    }
+
+    /// The first pixel of a block.
+    #[inline(always)]
+    pub(crate) fn pixel_of(&self, block: usize) -> (i32, i32) {
+        let (x, y) = ((block % self.stride) as i32 - 1, (block / self.stride) as i32 - 1);
+        (self.x + 4 * x, self.y + 4 * y)
+    }
+}
+
+/// The columns and rows of a block's samples, lane by lane: lane 4 j + i is sample (i, j).
+#[derive(Clone, Copy)]
+pub(crate) struct BlockLanes<S: Simd> {
+    pub(crate) column: i32x16<S>,
+    pub(crate) row: i32x16<S>,
+    pub(crate) x: f32x16<S>,
+    pub(crate) y: f32x16<S>,
+}
+
+impl<S: Simd> BlockLanes<S> {
+    #[inline(always)]
+    pub(crate) fn new(s: S) -> Self {
+        let column = i32x16::simd_from(s, [0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3]);
+        let row = i32x16::simd_from(s, [0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3]);
+        Self { column, row, x: column.to_float(), y: row.to_float() }
+    }
+
+    /// The samples of the block at pixel (x, y) that lie in a rectangle.
+    #[inline(always)]
+    pub(crate) fn within(&self, rect: &PixelRect, x: i32, y: i32) -> mask32x16<S> {
+        self.column.simd_ge(rect.x0 - x)
+            & self.column.simd_lt(rect.x1 - x)
+            & self.row.simd_ge(rect.y0 - y)
+            & self.row.simd_lt(rect.y1 - y)
+    }
+}
