@@ -1,0 +1,74 @@
+//! One file per renderer, behind one trait.
+
+mod euc;
+mod pineda;
+#[cfg(feature = "vulkan")]
+mod vulkan;
+
+use crate::scene::Scene;
+use anyhow::Result;
+use clap::ValueEnum;
+use serde::{Deserialize, Serialize};
+
+/// Which renderer to draw with.
+#[derive(Clone, Copy, Debug, Deserialize, Eq, Ord, PartialEq, PartialOrd, Serialize, ValueEnum)]
+#[serde(rename_all = "lowercase")]
+#[value(rename_all = "lowercase")]
+pub(crate) enum Peer {
+    /// This repository's rasterizer: what the others are compared with.
+    Pineda,
+    /// Mesa's Vulkan driver for CPUs (llvmpipe), through wgpu.
+    Lavapipe,
+    /// Google's Vulkan driver for CPUs, as Chromium ships it, through wgpu.
+    Swiftshader,
+    /// The Rust crate euc, one thread.
+    Euc,
+}
+
+/// A renderer that has a scene loaded: vertices uploaded, pipelines built, memory allocated.
+pub(crate) trait Backend {
+    /// Name, version and instruction set as the renderer itself gives them.
+    fn version(&self) -> String;
+
+    /// Clears and draws one frame; on return [`Backend::pixels`] is that frame.
+    fn draw(&mut self) -> Result<()>;
+
+    /// The last frame as linear 8-bit red, green, blue, alpha; rows from the top.
+    fn pixels(&self) -> &[[u8; 4]];
+}
+
+impl Peer {
+    /// Loads a scene into the renderer, in this process. `threads` matters to renderers that take it as a setting; the others are told by their environment.
+    pub(crate) fn load(self, scene: &Scene, threads: usize) -> Result<Box<dyn Backend>> {
+        match self {
+            Self::Pineda => Ok(Box::new(pineda::Pineda::new(scene, threads)?)),
+            Self::Lavapipe | Self::Swiftshader => vulkan_backend(scene),
+            Self::Euc => Ok(Box::new(euc::Euc::new(scene))),
+        }
+    }
+
+    /// How many of so many threads the renderer can make use of.
+    pub(crate) fn useful_threads(self, threads: usize) -> usize {
+        if self == Self::Euc { 1 } else { threads }
+    }
+
+    /// The name as typed on the command line.
+    pub(crate) fn as_str(self) -> &'static str {
+        match self {
+            Self::Pineda => "pineda",
+            Self::Lavapipe => "lavapipe",
+            Self::Swiftshader => "swiftshader",
+            Self::Euc => "euc",
+        }
+    }
+}
+
+#[cfg(feature = "vulkan")]
+fn vulkan_backend(scene: &Scene) -> Result<Box<dyn Backend>> {
+    Ok(Box::new(vulkan::Vulkan::new(scene)?))
+}
+
+#[cfg(not(feature = "vulkan"))]
+fn vulkan_backend(_: &Scene) -> Result<Box<dyn Backend>> {
+    anyhow::bail!("this build has no Vulkan; build with the feature `vulkan`")
+}

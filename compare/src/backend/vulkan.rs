@@ -1,0 +1,228 @@
+//! lavapipe and SwiftShader: Vulkan through wgpu, headless. Which of the two answers is decided by the environment of the process.
+
+use super::Backend;
+use crate::scene::{CLEAR_COLOR, HEIGHT, Scene, Shading, WIDTH};
+use anyhow::{Context, Result};
+use wgpu::util::{BufferInitDescriptor, DeviceExt};
+
+const COLOR_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
+const DEPTH_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
+const BYTES_PER_ROW: u32 = 4 * WIDTH;
+// Rows then need no padding in the buffer, and one copy takes the whole picture out.
+const _: () = assert!(BYTES_PER_ROW.is_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT));
+
+pub(super) struct Vulkan {
+    version: String,
+    device: wgpu::Device,
+    queue: wgpu::Queue,
+    pipeline: wgpu::RenderPipeline,
+    bindings: wgpu::BindGroup,
+    vertices: wgpu::Buffer,
+    indices: wgpu::Buffer,
+    index_count: u32,
+    color: wgpu::Texture,
+    depth: wgpu::Texture,
+    readback: wgpu::Buffer,
+    pixels: Vec<[u8; 4]>,
+}
+
+impl Vulkan {
+    pub(super) fn new(scene: &Scene) -> Result<Self> {
+        let instance = wgpu::Instance::new(wgpu::InstanceDescriptor {
+            backends: wgpu::Backends::VULKAN,
+            // No validation, whatever the build; Debian's lavapipe does not claim conformance, which wgpu would otherwise hold against it.
+            flags: wgpu::InstanceFlags::ALLOW_UNDERLYING_NONCOMPLIANT_ADAPTER,
+            ..wgpu::InstanceDescriptor::new_without_display_handle()
+        });
+        let adapter = pollster::block_on(instance.request_adapter(&wgpu::RequestAdapterOptions::default()))
+            .context("the Vulkan driver offers no device")?;
+        let info = adapter.get_info();
+        let (device, queue) = pollster::block_on(adapter.request_device(&wgpu::DeviceDescriptor {
+            required_limits: adapter.limits(),
+            ..wgpu::DeviceDescriptor::default()
+        }))
+        .context("the Vulkan driver gives no device")?;
+
+        let uniforms = device.create_buffer_init(&BufferInitDescriptor {
+            label: None,
+            contents: bytemuck::cast_slice(&uniforms(scene)),
+            usage: wgpu::BufferUsages::UNIFORM,
+        });
+        let pipeline = pipeline(&device, scene.shading);
+        let bindings = device.create_bind_group(&wgpu::BindGroupDescriptor {
+            label: None,
+            layout: &pipeline.get_bind_group_layout(0),
+            entries: &[wgpu::BindGroupEntry { binding: 0, resource: uniforms.as_entire_binding() }],
+        });
+        let records: Vec<[[f32; 3]; 3]> =
+            scene.vertices.iter().map(|vertex| [vertex.position, vertex.normal, vertex.color]).collect();
+        let vertices = device.create_buffer_init(&BufferInitDescriptor {
+            label: None,
+            contents: bytemuck::cast_slice(&records),
+            usage: wgpu::BufferUsages::VERTEX,
+        });
+        let indices = device.create_buffer_init(&BufferInitDescriptor {
+            label: None,
+            contents: bytemuck::cast_slice(&scene.indices),
+            usage: wgpu::BufferUsages::INDEX,
+        });
+        let readback = device.create_buffer(&wgpu::BufferDescriptor {
+            label: None,
+            size: u64::from(BYTES_PER_ROW * HEIGHT),
+            usage: wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST,
+            mapped_at_creation: false,
+        });
+        Ok(Self {
+            version: version(&info),
+            color: texture(&device, COLOR_FORMAT, wgpu::TextureUsages::COPY_SRC),
+            depth: texture(&device, DEPTH_FORMAT, wgpu::TextureUsages::empty()),
+            device,
+            queue,
+            pipeline,
+            bindings,
+            vertices,
+            indices,
+            index_count: scene.indices.len() as u32,
+            readback,
+            pixels: vec![[0; 4]; (WIDTH * HEIGHT) as usize],
+        })
+    }
+
+    fn encode(&self) -> wgpu::CommandBuffer {
+        let color_view = self.color.create_view(&wgpu::TextureViewDescriptor::default());
+        let depth_view = self.depth.create_view(&wgpu::TextureViewDescriptor::default());
+        let [r, g, b, a] = CLEAR_COLOR.map(f64::from);
+        let mut encoder = self.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+            color_attachments: &[Some(wgpu::RenderPassColorAttachment {
+                view: &color_view,
+                depth_slice: None,
+                resolve_target: None,
+                ops: wgpu::Operations {
+                    load: wgpu::LoadOp::Clear(wgpu::Color { r, g, b, a }),
+                    store: wgpu::StoreOp::Store,
+                },
+            })],
+            depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
+                view: &depth_view,
+                depth_ops: Some(wgpu::Operations { load: wgpu::LoadOp::Clear(1.0), store: wgpu::StoreOp::Store }),
+                stencil_ops: None,
+            }),
+            ..wgpu::RenderPassDescriptor::default()
+        });
+        pass.set_pipeline(&self.pipeline);
+        pass.set_bind_group(0, &self.bindings, &[]);
+        pass.set_vertex_buffer(0, self.vertices.slice(..));
+        pass.set_index_buffer(self.indices.slice(..), wgpu::IndexFormat::Uint32);
+        pass.draw_indexed(0..self.index_count, 0, 0..1);
+        drop(pass);
+        encoder.copy_texture_to_buffer(
+            self.color.as_image_copy(),
+            wgpu::TexelCopyBufferInfo {
+                buffer: &self.readback,
+                layout: wgpu::TexelCopyBufferLayout {
+                    offset: 0,
+                    bytes_per_row: Some(BYTES_PER_ROW),
+                    rows_per_image: None,
+                },
+            },
+            picture_size(),
+        );
+        encoder.finish()
+    }
+}
+
+impl Backend for Vulkan {
+    fn version(&self) -> String {
+        self.version.clone()
+    }
+
+    fn draw(&mut self) -> Result<()> {
+        self.queue.submit([self.encode()]);
+        // A failed mapping shows when the range is asked for.
+        self.readback.map_async(wgpu::MapMode::Read, .., |_| {});
+        self.device.poll(wgpu::PollType::wait_indefinitely()).context("the Vulkan driver lost the frame")?;
+        self.pixels.copy_from_slice(bytemuck::cast_slice(&self.readback.get_mapped_range(..)?));
+        self.readback.unmap();
+        Ok(())
+    }
+
+    fn pixels(&self) -> &[[u8; 4]] {
+        &self.pixels
+    }
+}
+
+/// The device and its driver. SwiftShader's driver does not say its version.
+fn version(info: &wgpu::AdapterInfo) -> String {
+    let driver = if info.driver_info.is_empty() { &info.driver } else { &info.driver_info };
+    format!("{}, {driver}, through wgpu 30", info.name)
+}
+
+/// The uniforms as `vulkan.wgsl` lays them out: a matrix of columns, then three vectors, each with a scalar in its fourth place.
+fn uniforms(scene: &Scene) -> [[f32; 4]; 7] {
+    let rows = scene.clip_from_world;
+    let [x, y, z, w] = std::array::from_fn(|column| rows.map(|row| row[column]));
+    let extend = |[x, y, z]: [f32; 3], w| [x, y, z, w];
+    match scene.shading {
+        Shading::Gouraud => [x, y, z, w, [0.0; 4], [0.0; 4], [0.0; 4]],
+        Shading::BlinnPhong(lit) => {
+            [x, y, z, w, extend(lit.eye, lit.ambient), extend(lit.light, lit.specular), extend(lit.albedo, 0.0)]
+        }
+    }
+}
+
+fn pipeline(device: &wgpu::Device, shading: Shading) -> wgpu::RenderPipeline {
+    let module = device.create_shader_module(wgpu::include_wgsl!("vulkan.wgsl"));
+    let (vertex, fragment, cull_mode) = match shading {
+        Shading::Gouraud => ("colored_vertex", "colored_fragment", None),
+        Shading::BlinnPhong(_) => ("lit_vertex", "lit_fragment", Some(wgpu::Face::Back)),
+    };
+    device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
+        label: None,
+        layout: None,
+        vertex: wgpu::VertexState {
+            module: &module,
+            entry_point: Some(vertex),
+            compilation_options: wgpu::PipelineCompilationOptions::default(),
+            buffers: &[Some(wgpu::VertexBufferLayout {
+                array_stride: 36,
+                step_mode: wgpu::VertexStepMode::Vertex,
+                attributes: &wgpu::vertex_attr_array![0 => Float32x3, 1 => Float32x3, 2 => Float32x3],
+            })],
+        },
+        primitive: wgpu::PrimitiveState { cull_mode, ..wgpu::PrimitiveState::default() },
+        depth_stencil: Some(wgpu::DepthStencilState {
+            format: DEPTH_FORMAT,
+            depth_write_enabled: Some(true),
+            depth_compare: Some(wgpu::CompareFunction::Less),
+            stencil: wgpu::StencilState::default(),
+            bias: wgpu::DepthBiasState::default(),
+        }),
+        multisample: wgpu::MultisampleState::default(),
+        fragment: Some(wgpu::FragmentState {
+            module: &module,
+            entry_point: Some(fragment),
+            compilation_options: wgpu::PipelineCompilationOptions::default(),
+            targets: &[Some(COLOR_FORMAT.into())],
+        }),
+        multiview_mask: None,
+        cache: None,
+    })
+}
+
+fn texture(device: &wgpu::Device, format: wgpu::TextureFormat, usage: wgpu::TextureUsages) -> wgpu::Texture {
+    device.create_texture(&wgpu::TextureDescriptor {
+        label: None,
+        size: picture_size(),
+        mip_level_count: 1,
+        sample_count: 1,
+        dimension: wgpu::TextureDimension::D2,
+        format,
+        usage: usage | wgpu::TextureUsages::RENDER_ATTACHMENT,
+        view_formats: &[],
+    })
+}
+
+fn picture_size() -> wgpu::Extent3d {
+    wgpu::Extent3d { width: WIDTH, height: HEIGHT, depth_or_array_layers: 1 }
+}

@@ -1,0 +1,78 @@
+//! The command line.
+
+use crate::backend::Peer;
+use crate::scene::SceneName;
+use clap::{Args, Parser, Subcommand};
+use std::path::PathBuf;
+
+#[derive(Debug, Parser)]
+#[command(name = "pineda-compare", about, args_conflicts_with_subcommands = true)]
+pub(crate) struct Arguments {
+    #[command(subcommand)]
+    pub(crate) command: Option<Command>,
+    #[command(flatten)]
+    pub(crate) compare: Compare,
+}
+
+#[derive(Debug, Subcommand)]
+pub(crate) enum Command {
+    /// Draw one scene with one renderer in this process: what the comparison starts for every measurement, and a thing to profile
+    Draw(Draw),
+}
+
+#[derive(Args, Debug)]
+pub(crate) struct Compare {
+    /// Draw only this scene (repeatable; default: all)
+    #[arg(long = "scene", value_name = "SCENE")]
+    pub(crate) scenes: Vec<SceneName>,
+    /// Draw only with this renderer (repeatable; default: all)
+    #[arg(long = "peer", value_name = "PEER")]
+    pub(crate) peers: Vec<Peer>,
+    /// Number of threads (repeatable; default: all of the machine's, then one)
+    #[arg(long = "threads", value_name = "N")]
+    pub(crate) threads: Vec<usize>,
+    /// How often each renderer has its turn, each time in a fresh process
+    #[arg(long, default_value_t = 5, value_parser = clap::value_parser!(u32).range(1..))]
+    pub(crate) rounds: u32,
+    /// Timed frames per turn; slow renderers stop earlier, after three seconds but not before five frames
+    #[arg(long, default_value_t = 20, value_parser = clap::value_parser!(u32).range(1..))]
+    pub(crate) frames: u32,
+    /// Write each renderer's picture of each scene to this folder as PNG
+    #[arg(long, value_name = "DIR")]
+    pub(crate) pictures: Option<PathBuf>,
+    /// Write every frame's time to this file
+    #[arg(long, value_name = "FILE")]
+    pub(crate) json: Option<PathBuf>,
+    /// This program built with -C target-cpu=native, to draw euc's pictures with
+    #[arg(long, value_name = "PROGRAM")]
+    pub(crate) native: Option<PathBuf>,
+    /// lavapipe's driver file (default: where Debian, Fedora and Arch put it)
+    #[arg(long, value_name = "ICD.json")]
+    pub(crate) lavapipe: Option<PathBuf>,
+    /// SwiftShader's driver file (default: beside Chromium or Chrome)
+    #[arg(long, value_name = "ICD.json")]
+    pub(crate) swiftshader: Option<PathBuf>,
+}
+
+#[derive(Args, Debug)]
+pub(crate) struct Draw {
+    #[arg(long)]
+    pub(crate) peer: Peer,
+    #[arg(long)]
+    pub(crate) scene: SceneName,
+    /// Threads for renderers that take their number as a setting (0: all cores)
+    #[arg(long, default_value_t = 0)]
+    pub(crate) threads: usize,
+    /// Timed frames
+    #[arg(long, default_value_t = 20, value_parser = clap::value_parser!(u32).range(1..))]
+    pub(crate) frames: u32,
+    /// Stop after this many seconds, but not before five frames
+    #[arg(long, default_value_t = f64::INFINITY, hide_default_value = true)]
+    pub(crate) seconds: f64,
+    /// Write the last frame to this file as PNG
+    #[arg(long, value_name = "FILE")]
+    pub(crate) picture: Option<PathBuf>,
+    /// Write version and times to this file as JSON and print nothing
+    #[arg(long, value_name = "FILE")]
+    pub(crate) report: Option<PathBuf>,
+}

@@ -1,0 +1,30 @@
+//! Draws the same scenes with `pineda` and its peers on this machine, in turn, and prints how long each took. See README.md.
+
+mod backend;
+mod cli;
+mod draw;
+mod launch;
+mod machine;
+mod measure;
+mod picture;
+mod scene;
+mod table;
+
+use clap::Parser;
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    let arguments = cli::Arguments::parse();
+    let outcome = match arguments.command {
+        Some(cli::Command::Draw(draw)) => draw::draw(&draw).map(|()| true),
+        None => measure::compare(&arguments.compare),
+    };
+    match outcome {
+        Ok(true) => ExitCode::SUCCESS,
+        Ok(false) => ExitCode::FAILURE,
+        Err(error) => {
+            eprintln!("error: {error:#}");
+            ExitCode::FAILURE
+        }
+    }
+}

@@ -1,0 +1,125 @@
+//! The scenes: plain vertices and indices, the same for every backend and on every run.
+
+mod fill;
+mod knot;
+mod matrix;
+mod micro;
+
+use clap::ValueEnum;
+use serde::{Deserialize, Serialize};
+
+/// Width of every scene's picture in pixels.
+pub(crate) const WIDTH: u32 = 1920;
+/// Height of every scene's picture in pixels.
+pub(crate) const HEIGHT: u32 = 1080;
+/// Every picture is cleared to opaque black, which is the same code in any rounding.
+pub(crate) const CLEAR_COLOR: [f32; 4] = [0.0, 0.0, 0.0, 1.0];
+/// The same as 8-bit codes, for backends that clear memory themselves.
+pub(crate) const CLEAR_CODES: [u8; 4] = [0, 0, 0, 255];
+
+/// Which scene to draw.
+#[derive(Clone, Copy, Debug, Deserialize, Eq, Ord, PartialEq, PartialOrd, Serialize, ValueEnum)]
+#[serde(rename_all = "snake_case")]
+#[value(rename_all = "snake_case")]
+pub(crate) enum SceneName {
+    /// 16 full-screen layers, the nearest first.
+    FillFrontToBack,
+    /// 16 full-screen layers, the farthest first.
+    FillBackToFront,
+    /// A million triangles of about two pixels.
+    Micro,
+    /// A knot of 70,000 triangles, lit per pixel.
+    Medium,
+}
+
+/// A vertex as the caller would keep it: 36 bytes, one record.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Vertex {
+    /// In world space.
+    pub(crate) position: [f32; 3],
+    /// Of length one, in world space.
+    pub(crate) normal: [f32; 3],
+    /// Linear red, green, blue in 0..=1.
+    pub(crate) color: [f32; 3],
+}
+
+/// What a fragment is coloured with.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Shading {
+    /// The interpolated vertex colour; both sides are drawn.
+    Gouraud,
+    /// Blinn-Phong per pixel; back faces are culled.
+    BlinnPhong(BlinnPhong),
+}
+
+/// The uniforms of the lit scene, in world space and linear light:
+/// albedo x (ambient + max(0, n . l)) + specular x max(0, n . h)^32, h halfway between the light and the eye.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct BlinnPhong {
+    pub(crate) eye: [f32; 3],
+    /// Towards the light, of length one.
+    pub(crate) light: [f32; 3],
+    pub(crate) albedo: [f32; 3],
+    pub(crate) ambient: f32,
+    pub(crate) specular: f32,
+}
+
+/// Everything that a backend needs to draw one frame: an indexed triangle list, depth-tested `Less`, front faces counter-clockwise.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Scene {
+    pub(crate) vertices: Vec<Vertex>,
+    pub(crate) indices: Vec<u32>,
+    /// Rows of the matrix that takes (x, y, z, 1) to clip space: x right, y up, 0 <= z <= w.
+    pub(crate) clip_from_world: [[f32; 4]; 4],
+    pub(crate) shading: Shading,
+}
+
+impl Scene {
+    /// Builds the scene; always the same bits, because the only transcendental functions are `libm`'s.
+    pub(crate) fn new(name: SceneName) -> Self {
+        match name {
+            SceneName::FillFrontToBack => fill::layers(fill::Order::FrontToBack),
+            SceneName::FillBackToFront => fill::layers(fill::Order::BackToFront),
+            SceneName::Micro => micro::sheet(),
+            SceneName::Medium => knot::lit_knot(),
+        }
+    }
+}
+
+impl SceneName {
+    /// The name as typed on the command line.
+    pub(crate) fn as_str(self) -> &'static str {
+        match self {
+            Self::FillFrontToBack => "fill_front_to_back",
+            Self::FillBackToFront => "fill_back_to_front",
+            Self::Micro => "micro",
+            Self::Medium => "medium",
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn scenes_have_the_promised_number_of_triangles() {
+        for (name, triangles) in [
+            (SceneName::FillFrontToBack, 32),
+            (SceneName::FillBackToFront, 32),
+            (SceneName::Micro, 1_000_000),
+            (SceneName::Medium, 70_000),
+        ] {
+            let scene = Scene::new(name);
+            assert_eq!(scene.indices.len(), 3 * triangles, "{name:?}");
+            assert!(scene.indices.iter().all(|&index| (index as usize) < scene.vertices.len()), "{name:?}");
+        }
+    }
+
+    #[test]
+    fn scenes_are_the_same_on_every_run() {
+        for name in SceneName::value_variants() {
+            assert_eq!(Scene::new(*name), Scene::new(*name));
+        }
+    }
+}

@@ -1,0 +1,87 @@
+//! The table that people read.
+
+use crate::backend::Peer;
+use crate::measure::{Measurement, Results};
+use crate::scene::SceneName;
+
+/// Prints machine, versions, one table per number of threads (Markdown, so that it can be pasted) and the check of the pictures.
+pub(crate) fn print(results: &Results) {
+    let machine = &results.machine;
+    println!("{}, {} cores, {}; {}", machine.cpu, machine.cores, machine.simd, machine.date);
+    println!("1920 x 1080, image in memory; median ms of {} rounds, fastest frame in brackets", results.rounds);
+    let mut versions: Vec<(Peer, &str)> =
+        results.measurements.iter().map(|one| (one.peer, one.version.as_str())).collect();
+    versions.sort_unstable();
+    versions.dedup();
+    for (peer, version) in versions {
+        println!("- {}: {version}", peer.as_str());
+    }
+    let mut counts: Vec<usize> = results.measurements.iter().map(|one| one.threads).collect();
+    counts.sort_unstable_by(|a, b| b.cmp(a));
+    counts.dedup();
+    for threads in counts {
+        print_table(&results.measurements, threads);
+    }
+    print_likenesses(results);
+}
+
+fn print_table(measurements: &[Measurement], threads: usize) {
+    let of_count = |one: &&Measurement| one.threads == one.peer.useful_threads(threads);
+    let mut peers: Vec<Peer> = measurements.iter().filter(of_count).map(|one| one.peer).collect();
+    peers.sort_unstable();
+    peers.dedup();
+    let mut scenes: Vec<SceneName> = measurements.iter().filter(of_count).map(|one| one.scene).collect();
+    scenes.sort_unstable();
+    scenes.dedup();
+
+    println!("\nthreads: {threads}");
+    let mut rows = vec![vec!["scene".to_owned()]];
+    rows[0].extend(peers.iter().map(|&peer| heading(peer, threads)));
+    for scene in scenes {
+        let find = |peer| measurements.iter().filter(of_count).find(|one| one.scene == scene && one.peer == peer);
+        let mut row = vec![scene.as_str().to_owned()];
+        row.extend(peers.iter().map(|&peer| find(peer).map_or_else(String::new, |one| cell(one, find(peers[0])))));
+        rows.push(row);
+    }
+    print_rows(&rows);
+}
+
+fn heading(peer: Peer, threads: usize) -> String {
+    let useful = peer.useful_threads(threads);
+    if useful == threads { peer.as_str().to_owned() } else { format!("{} ({useful} thread)", peer.as_str()) }
+}
+
+/// Median, fastest frame, and how many times slower than the table's first renderer.
+fn cell(one: &Measurement, first: Option<&Measurement>) -> String {
+    let times = format!("{:.2} ({:.2})", one.median_ms(), one.minimum_ms());
+    match first {
+        Some(first) if first.peer != one.peer => format!("{times} {:.1}x", one.median_ms() / first.median_ms()),
+        _ => times,
+    }
+}
+
+/// The first row is the heading; all columns but the first are numbers.
+fn print_rows(rows: &[Vec<String>]) {
+    let widths: Vec<usize> =
+        (0..rows[0].len()).map(|column| rows.iter().map(|row| row[column].len()).max().unwrap_or(0)).collect();
+    for (number, row) in rows.iter().enumerate() {
+        let mut line = format!("| {:<width$} |", row[0], width = widths[0]);
+        for (text, width) in row.iter().zip(&widths).skip(1) {
+            line += &format!(" {text:>width$} |");
+        }
+        println!("{line}");
+        if number == 0 {
+            let rules: Vec<String> = widths[1..].iter().map(|width| format!(" {}: |", "-".repeat(width - 1))).collect();
+            println!("| {} |{}", "-".repeat(widths[0]), rules.concat());
+        }
+    }
+}
+
+fn print_likenesses(results: &Results) {
+    println!("\npixels that differ by more than 2 codes");
+    for one in &results.likenesses {
+        let verdict = if one.is_alike() { "alike" } else { "NOT THE SAME PICTURE" };
+        let (scene, peer, reference) = (one.scene.as_str(), one.peer.as_str(), one.reference.as_str());
+        println!("- {scene}: {peer} against {reference} {:.3} %, {verdict}", 100.0 * one.differing);
+    }
+}
