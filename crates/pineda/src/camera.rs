@@ -14,10 +14,10 @@ impl Mat4 {
     #[must_use]
     pub fn look_at(eye: [f32; 3], target: [f32; 3], up: [f32; 3]) -> Self {
         let (eye, target, up) = (eye.map(f64::from), target.map(f64::from), up.map(f64::from));
-        let forward = direction(subtract(target, eye)).unwrap_or([0.0, 0.0, -1.0]);
-        let right = direction(up)
-            .and_then(|up| direction(cross(forward, up)))
-            .or_else(|| direction(cross(forward, farthest_axis(forward))))
+        let forward = direction(subtract(target, eye), 0.0).unwrap_or([0.0, 0.0, -1.0]);
+        let right = direction(up, 0.0)
+            .and_then(|up| direction(cross(forward, up), PARALLEL))
+            .or_else(|| direction(cross(forward, farthest_axis(forward)), 0.0))
             .unwrap_or([1.0, 0.0, 0.0]);
         let up = cross(right, forward);
         Self::from_f64([
@@ -71,17 +71,13 @@ impl Mat4 {
     }
 }
 
-/// The vector's direction; `None` if it has none worth the name. Differences and products of f32 coordinates are exact
-/// to 1e-16 in f64, so that anything shorter than 1e-12 of a unit vector is rounding, not direction.
-fn direction(v: [f64; 3]) -> Option<[f64; 3]> {
-    // The largest component first, so that the squares neither overflow nor vanish.
-    let largest = v.iter().fold(0.0, |a: f64, b| if b.abs() > a { b.abs() } else { a });
-    if largest == 0.0 || !v.iter().all(|x| x.is_finite()) {
-        return None;
-    }
-    let v = v.map(|x| x / largest);
-    let length = libm::sqrt(dot(v, v));
-    Some(v.map(|x| x / length))
+/// The sine of the angle up to which two directions count as parallel: less is the rounding of f32 coordinates.
+const PARALLEL: f64 = 1e-7;
+
+/// The vector of length 1 in the direction of `v`; `None` if `v` is no longer than `least`, or not finite.
+fn direction(v: [f64; 3], least: f64) -> Option<[f64; 3]> {
+    let length = dot(v, v).sqrt();
+    (length > least && length.is_finite()).then(|| v.map(|x| x / length))
 }
 
 /// The unit vector along the axis on which `v` is shortest.
@@ -106,4 +102,85 @@ fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
 
 fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::lanes::Scalar;
+    use crate::math::{Vec3, Vec4};
+
+    const UP: [f32; 3] = [0.0, 1.0, 0.0];
+
+    fn map(m: Mat4, point: [f32; 3]) -> [f32; 4] {
+        let v: Vec4<Scalar> = m * Vec3::from(point).extend(1.0);
+        v.into()
+    }
+
+    #[test]
+    fn look_at_puts_the_target_on_the_negative_z_axis_and_up_above_it() {
+        let view = Mat4::look_at([5.0, 0.0, 0.0], [0.0; 3], UP);
+        assert_eq!(map(view, [5.0, 0.0, 0.0]), [0.0, 0.0, 0.0, 1.0], "the eye");
+        assert_eq!(map(view, [0.0; 3]), [0.0, 0.0, -5.0, 1.0], "the target");
+        assert_eq!(map(view, UP), [0.0, 1.0, -5.0, 1.0], "up is up");
+        // Seen from +x towards -x with y up, -z is to the right.
+        assert_eq!(map(view, [0.0, 0.0, -1.0])[0], 1.0);
+    }
+
+    #[test]
+    fn look_at_is_a_rotation_whatever_it_is_given() {
+        for (eye, target, up) in [
+            ([0.0; 3], [0.0; 3], UP),
+            ([1.0, 2.0, 3.0], [1.0, 2.0, 3.0], [0.0; 3]),
+            ([0.0; 3], [0.0, 5.0, 0.0], UP),
+            ([0.1, 0.2, 0.3], [1.1, 2.2, 3.3], [1.0, 2.0, 3.0]),
+            ([0.0; 3], [1.0, 1.0, 1.0], [-3.0, -3.0, -3.0]),
+            ([0.0; 3], [1e-38, 0.0, 0.0], [0.0, 1e30, 0.0]),
+            ([3e38, 0.0, 0.0], [-3e38, 0.0, 0.0], UP),
+        ] {
+            let Mat4([x, y, z, _]) = Mat4::look_at(eye, target, up);
+            // The columns' first three elements are the rows of the rotation's inverse.
+            let rows = [[x[0], y[0], z[0]], [x[1], y[1], z[1]], [x[2], y[2], z[2]]].map(|row| row.map(f64::from));
+            for (i, row) in rows.iter().enumerate() {
+                for (k, other) in rows.iter().enumerate() {
+                    let product = dot(*row, *other) - f64::from(u8::from(i == k));
+                    assert!(product.abs() < 1e-6, "{eye:?} {target:?} {up:?}: rows {i} and {k}");
+                }
+            }
+            assert!(dot(cross(rows[0], rows[1]), rows[2]) > 0.999, "right-handed");
+        }
+    }
+
+    #[test]
+    fn projections_map_near_to_0_and_far_to_1() {
+        for (near, far) in [(0.5, 100.0), (100.0, 0.5), (1.0, f32::INFINITY), (f32::INFINITY, 1.0)] {
+            let camera = Mat4::perspective(1.2, 2.0, near, far);
+            for (distance, depth) in [(near, 0.0), (far, 1.0)] {
+                let distance = if distance.is_finite() { distance } else { 1e30 };
+                let [_, _, z, w] = map(camera, [0.0, 0.0, -distance]);
+                assert_eq!(w, distance);
+                assert!((z / w - depth).abs() < 1e-6, "{near} to {far}: {z} / {w} at {distance}");
+            }
+        }
+        let camera = Mat4::orthographic(-2.0, 6.0, -1.0, 3.0, 1.0, 9.0);
+        assert_eq!(map(camera, [-2.0, -1.0, -1.0]), [-1.0, -1.0, 0.0, 1.0]);
+        assert_eq!(map(camera, [6.0, 3.0, -9.0]), [1.0, 1.0, 1.0, 1.0]);
+        assert_eq!(map(camera, [2.0, 1.0, -5.0]), [0.0, 0.0, 0.5, 1.0]);
+    }
+
+    #[test]
+    fn perspective_has_its_field_of_view_from_border_to_border() {
+        let camera = Mat4::perspective(core::f32::consts::FRAC_PI_2, 2.0, 1.0, 10.0);
+        let [x, y, _, w] = map(camera, [4.0, 2.0, -2.0]);
+        assert!((x / w - 1.0).abs() < 1e-6 && (y / w - 1.0).abs() < 1e-6, "{x} {y} {w}");
+    }
+
+    #[test]
+    fn degenerate_projections_do_not_panic() {
+        for x in [0.0, -1.0, f32::NAN, f32::INFINITY, f32::MAX] {
+            let _ = Mat4::perspective(x, x, x, x);
+            let _ = Mat4::orthographic(x, x, x, x, x, x);
+            let _ = Mat4::look_at([x; 3], [x; 3], [x; 3]);
+        }
+    }
 }

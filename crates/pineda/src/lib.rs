@@ -2,6 +2,7 @@
 
 extern crate self as pineda;
 
+mod camera;
 mod error;
 mod geometry;
 mod lanes;

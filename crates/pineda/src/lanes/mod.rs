@@ -18,7 +18,11 @@
 //!   the machine.
 
 mod packet;
+mod plain;
 mod scalar;
+
+#[cfg(test)]
+pub(crate) mod conformance;
 
 use core::fmt::Debug;
 

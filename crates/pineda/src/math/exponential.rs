@@ -28,7 +28,7 @@ const LN_2_HIGH: f32 = 0.693_359_375;
 const LN_2_LOW: f32 = -2.121_944_4e-4;
 
 impl<L: Lanes> Real<L> {
-    /// 2 to the power of `self`, to 1 ULP, and exact for whole numbers. 0 below -126, infinity from 128 on.
+    /// 2 to the power of `self`, to 1.5 ULP, and exact for whole numbers. 0 below -126, infinity from 128 on.
     #[inline(always)]
     pub fn exp2(self) -> Self {
         let shifted = self + ROUND;
@@ -49,7 +49,7 @@ impl<L: Lanes> Real<L> {
         self.in_range(-87.336_54, 88.722_84, power.times_power_of_two(shifted))
     }
 
-    /// The logarithm to base 2, to 2 ULP, and exact for powers of two. -infinity of 0 (and -0), NaN below 0.
+    /// The logarithm to base 2, to 1.5 ULP, and exact for powers of two. -infinity of 0 (and -0), NaN below 0.
     #[inline(always)]
     pub fn log2(self) -> Self {
         let (exponent, x) = self.split();
@@ -74,8 +74,8 @@ impl<L: Lanes> Real<L> {
         self.logarithm_in_range((x + tail) + exponent * LN_2_HIGH)
     }
 
-    /// `self` to the power of `n`: `(n * self.log2()).exp2()`, so to about 1 + |n log2(self)| ULP: a highlight of 0.9
-    /// to the power of 64 is right to a millionth of its value.
+    /// `self` to the power of `n`: `(n * self.log2()).exp2()`, so to 1.5 (1 + |n log2(self)|) ULP: 0.9 to the power of 64 is
+    /// right to a millionth of its value. For a whole `n` that is known beforehand, [`powi`](Self::powi) is quicker.
     ///
     /// 1 where `n` is 0, whatever `self`; otherwise 0 to a positive power is 0 and to a negative one infinity, infinity
     /// the other way round, and a negative number gives NaN (use [`powi`](Self::powi)). 1 to an infinite power is NaN.

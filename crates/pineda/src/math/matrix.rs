@@ -74,13 +74,12 @@ impl Mat4 {
     #[must_use]
     pub fn inverse(self) -> Option<Self> {
         let m = self.to_f64();
-        // Laplace's expansion by pairs of columns: the 2 x 2 minors of the first two, and of the last two.
-        let minor = |columns: [usize; 2], rows: [usize; 2]| {
-            m[columns[0]][rows[0]] * m[columns[1]][rows[1]] - m[columns[0]][rows[1]] * m[columns[1]][rows[0]]
-        };
+        // Laplace's expansion by the 2 x 2 minors of the first two columns, and of the last two. (Written for rows, the
+        // formula is the same: the inverse of the transpose is the transpose of the inverse.)
+        let minor = |a: [f64; 4], b: [f64; 4], [i, k]: [usize; 2]| a[i] * b[k] - a[k] * b[i];
         const PAIRS: [[usize; 2]; 6] = [[0, 1], [0, 2], [0, 3], [1, 2], [1, 3], [2, 3]];
-        let s = PAIRS.map(|rows| minor([0, 1], rows));
-        let c = PAIRS.map(|rows| minor([2, 3], rows));
+        let s = PAIRS.map(|rows| minor(m[0], m[1], rows));
+        let c = PAIRS.map(|rows| minor(m[2], m[3], rows));
         let determinant = s[0] * c[5] - s[1] * c[4] + s[2] * c[3] + s[3] * c[2] - s[4] * c[1] + s[5] * c[0];
         if determinant == 0.0 || !determinant.is_finite() {
             return None;
@@ -111,14 +110,7 @@ impl Mat4 {
                 m[2][0] * s[3] - m[2][1] * s[1] + m[2][2] * s[0],
             ],
         ];
-        // `adjugate` is written in rows, as the formula is; the matrix is stored in columns.
-        let mut inverse = [[0.0; 4]; 4];
-        for (row, elements) in adjugate.iter().enumerate() {
-            for (column, element) in elements.iter().enumerate() {
-                inverse[column][row] = element / determinant;
-            }
-        }
-        Some(Self::from_f64(inverse))
+        Some(Self::from_f64(adjugate.map(|column| column.map(|element| element / determinant))))
     }
 
     /// Each element rounded once.
@@ -165,4 +157,63 @@ impl Mul for Mat4 {
 fn sin_cos(radians: f32) -> (f32, f32) {
     let (sin, cos) = libm::sincos(f64::from(radians));
     (sin as f32, cos as f32)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::Vec3;
+
+    fn map(m: Mat4, point: [f32; 3]) -> [f32; 4] {
+        (m * Vec3::from(point).extend(1.0)).into()
+    }
+
+    #[test]
+    fn constructors_map_points_as_their_names_say() {
+        assert_eq!(map(Mat4::translation([1.0, 2.0, 3.0]), [4.0, 5.0, 6.0]), [5.0, 7.0, 9.0, 1.0]);
+        assert_eq!(map(Mat4::scale([1.0, 2.0, 3.0]), [4.0, 5.0, 6.0]), [4.0, 10.0, 18.0, 1.0]);
+        let quarter = core::f32::consts::FRAC_PI_2;
+        for (turn, from, to) in [
+            (Mat4::rotation_x(quarter), [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]),
+            (Mat4::rotation_y(quarter), [0.0, 0.0, 1.0], [1.0, 0.0, 0.0]),
+            (Mat4::rotation_z(quarter), [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]),
+        ] {
+            let [x, y, z, w] = map(turn, from);
+            assert!((x - to[0]).abs() + (y - to[1]).abs() + (z - to[2]).abs() < 1e-6 && w == 1.0);
+        }
+    }
+
+    #[test]
+    fn products_map_by_the_right_factor_first() {
+        let (a, b) = (Mat4::translation([1.0, 0.0, 0.0]), Mat4::scale([2.0, 2.0, 2.0]));
+        assert_eq!(map(a * b, [1.0, 1.0, 1.0]), [3.0, 2.0, 2.0, 1.0]);
+        assert_eq!(map(b * a, [1.0, 1.0, 1.0]), [4.0, 2.0, 2.0, 1.0]);
+        assert_eq!(Mat4::IDENTITY * a, a);
+    }
+
+    #[test]
+    fn inverse_undoes() {
+        let m = Mat4([[1.0, 2.0, -3.0, 0.5], [0.0, 3.0, 5.0, -1.0], [7.0, 0.25, 1.0, 2.0], [1.0, -4.0, 2.0, 8.0]]);
+        let Mat4(product) = m * m.inverse().expect("its determinant is not 0");
+        for (column, expected) in product.iter().zip(Mat4::IDENTITY.0) {
+            for (element, expected) in column.iter().zip(expected) {
+                assert!((element - expected).abs() < 1e-6, "{product:?}");
+            }
+        }
+        assert_eq!(Mat4::scale([2.0, 4.0, 8.0]).inverse(), Some(Mat4::scale([0.5, 0.25, 0.125])));
+    }
+
+    #[test]
+    fn inverse_of_a_singular_matrix_is_none() {
+        assert_eq!(Mat4::scale([1.0, 0.0, 1.0]).inverse(), None);
+        assert_eq!(Mat4::scale([1.0, f32::NAN, 1.0]).inverse(), None);
+        assert_eq!(Mat4::scale([1.0, f32::INFINITY, 1.0]).inverse(), None);
+    }
+
+    #[test]
+    fn transpose_exchanges_rows_and_columns() {
+        let m = Mat4([[1.0, 2.0, 3.0, 4.0], [5.0, 6.0, 7.0, 8.0], [9.0, 10.0, 11.0, 12.0], [13.0, 14.0, 15.0, 16.0]]);
+        assert_eq!(m.transpose().0[0], [1.0, 5.0, 9.0, 13.0]);
+        assert_eq!(m.transpose().transpose(), m);
+    }
 }

@@ -18,6 +18,13 @@ mod real;
 mod trigonometry;
 mod vector;
 
+#[cfg(test)]
+mod accuracy;
+#[cfg(test)]
+mod conformance;
+#[cfg(test)]
+mod edges;
+
 pub use boolean::{Bool, Select};
 pub use color::Rgba;
 pub use matrix::Mat4;

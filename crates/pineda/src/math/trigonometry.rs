@@ -17,9 +17,8 @@ const QUARTER: [f32; 3] = [1.570_312_5, 4.837_512_969_970_703e-4, 7.549_789_954_
 const LARGEST: f32 = 1_048_576.0; // 2^20
 
 impl<L: Lanes> Real<L> {
-    /// The sine of `self` radians: to 2 ULP within ±2π, and to 1e-7 within ±8192 (which includes 0 at the zeros'
-    /// neighbours). Beyond, the error grows to the spacing of the floats themselves; beyond ±2^20 the result is 0. It is
-    /// always from -1 to 1; NaN for infinities and NaN.
+    /// The sine of `self` radians: to 2 ULP within ±100, and to 1e-7 within ±8192. Beyond, the error grows as the spacing
+    /// of the angles does, and beyond ±2^20 the result is 0. It is always from -1 to 1; NaN for infinities and NaN.
     #[inline(always)]
     pub fn sin(self) -> Self {
         self.sin_cos().0

@@ -1,0 +1,151 @@
+//! How near the polynomials come to the true values: `libm`'s in f64, which are right to far more digits than an f32 has.
+//!
+//! The default tests walk through the floats in strides, a million points a function. `cargo test --release -- --ignored
+//! every_float` visits all of them; the figures in the functions' docs come from there.
+
+use super::{Real, Vec2, Vec3};
+use crate::lanes::Scalar;
+
+/// The stride of the default tests: a prime, so that no bit pattern is left out by system.
+const STRIDE: usize = 4099;
+
+/// The distance from the true value in units of the last place that an f32 of its size has.
+fn ulps(found: f32, exact: f64) -> f64 {
+    if exact.is_nan() || found.is_nan() {
+        return if exact.is_nan() && found.is_nan() { 0.0 } else { f64::INFINITY };
+    }
+    let rounded = exact as f32;
+    if rounded.is_infinite() || found.is_infinite() {
+        return if rounded == found { 0.0 } else { f64::INFINITY };
+    }
+    let exponent = libm::ilogb(exact.abs().max(f64::from(f32::MIN_POSITIVE)));
+    (f64::from(found) - exact).abs() / libm::exp2(f64::from(exponent - 23))
+}
+
+/// The largest error over the floats from `low` to `high` that the stride visits, and where it is.
+fn worst(range: [f32; 2], stride: usize, found: fn(Real) -> Real, exact: fn(f64) -> f64) -> (f64, f32) {
+    let mut worst = (0.0, 0.0);
+    for bits in (0..=u32::MAX).step_by(stride) {
+        let x = f32::from_bits(bits);
+        if x >= range[0] && x <= range[1] {
+            let error = ulps(found(Real(x)).0, exact(f64::from(x)));
+            if error > worst.0 {
+                worst = (error, x);
+            }
+        }
+    }
+    worst
+}
+
+type Function = (&'static str, [f32; 2], f64, fn(Real) -> Real, fn(f64) -> f64);
+
+/// Name, range, greatest error in ULP that the documentation admits, ours, the truth.
+const FUNCTIONS: [Function; 8] = [
+    ("exp2", [-126.0, f32::MAX], 1.5, Real::exp2, libm::exp2),
+    ("exp", [-87.33654, f32::MAX], 1.0, Real::exp, libm::exp),
+    ("log2", [-1e30, f32::MAX], 1.5, Real::log2, libm::log2),
+    ("log", [-1e30, f32::MAX], 1.0, Real::log, libm::log),
+    ("sin", [-6.2831855, 6.2831855], 2.0, Real::sin, libm::sin),
+    ("cos", [-6.2831855, 6.2831855], 2.0, Real::cos, libm::cos),
+    ("sin", [-100.0, 100.0], 2.0, Real::sin, libm::sin),
+    ("cos", [-100.0, 100.0], 2.0, Real::cos, libm::cos),
+];
+
+fn check(stride: usize) {
+    for (name, range, admitted, found, exact) in FUNCTIONS {
+        let (error, x) = worst(range, stride, found, exact);
+        assert!(error <= admitted, "{name}({x:e}) is {error:.3} ULP off; {admitted} are admitted");
+    }
+}
+
+#[test]
+fn functions_are_as_accurate_as_documented() {
+    check(STRIDE);
+    // Near 1 a logarithm is small, and its relative error large if anywhere.
+    for (name, found, exact) in [
+        ("log2", Real::<Scalar>::log2 as fn(Real) -> Real, libm::log2 as fn(f64) -> f64),
+        ("log", Real::log, libm::log),
+    ] {
+        let (error, x) = worst([0.99, 1.01], 7, found, exact);
+        assert!(error <= 1.5, "{name}({x:e}) is {error:.3} ULP off");
+    }
+}
+
+#[test]
+#[ignore = "a few minutes in release mode"]
+fn every_float_is_as_accurate_as_documented() {
+    check(1);
+}
+
+#[test]
+fn sine_and_cosine_are_right_to_seven_digits_up_to_8192() {
+    for bits in (0..8192_f32.to_bits()).step_by(STRIDE) {
+        let x = f32::from_bits(bits);
+        let (sin, cos) = libm::sincos(f64::from(x));
+        let found = Real::<Scalar>(x).sin_cos();
+        assert!((f64::from(found.0.0) - sin).abs() < 1e-7, "sin({x:e})");
+        assert!((f64::from(found.1.0) - cos).abs() < 1e-7, "cos({x:e})");
+    }
+}
+
+#[test]
+fn sine_and_cosine_stay_between_minus_1_and_1() {
+    for bits in (0..f32::INFINITY.to_bits()).step_by(STRIDE) {
+        let (sin, cos) = Real::<Scalar>(f32::from_bits(bits)).sin_cos();
+        assert!(sin.0.abs() <= 1.0 && cos.0.abs() <= 1.0, "{:e}", f32::from_bits(bits));
+    }
+}
+
+#[test]
+fn powers_are_as_accurate_as_documented() {
+    for n in [0.5, 2.2, 1.0 / 2.4, 5.0, 64.0, 1000.0, -1.0, -3.5] {
+        for bits in (0..f32::INFINITY.to_bits()).step_by(STRIDE) {
+            let x = f32::from_bits(bits);
+            let (found, exact) = (Real::<Scalar>(x).powf(n).0, libm::pow(f64::from(x), f64::from(n)));
+            let size = (f64::from(n) * libm::log2(f64::from(x))).abs();
+            if size < 125.9 {
+                let error = ulps(found, exact);
+                assert!(error <= 1.5 + 1.5 * size, "{x:e} to the power of {n} is {error:.1} ULP off");
+            } else if size > 126.1 && exact < 1.0 {
+                assert!(found == 0.0, "{x:e} to the power of {n} is {found:e}");
+            } else if size > 128.1 {
+                assert!(found == f32::INFINITY, "{x:e} to the power of {n} is {found:e}");
+            }
+        }
+    }
+}
+
+#[test]
+fn whole_powers_of_two_are_exact() {
+    for n in -126_i16..128 {
+        let power = libm::exp2(f64::from(n)) as f32;
+        assert_eq!(Real::<Scalar>(f32::from(n)).exp2().0, power, "2 to the power of {n}");
+        assert_eq!(Real::<Scalar>(power).log2().0, f32::from(n), "log2({power:e})");
+    }
+    // Subnormal arguments count as they are.
+    assert_eq!(Real::<Scalar>(f32::from_bits(1)).log2().0, -149.0);
+}
+
+#[test]
+fn normalized_vectors_are_of_length_1() {
+    let mut random = crate::lanes::conformance::Random(3);
+    for _ in 0..100_000 {
+        let v = [random.number(1.0), random.number(1.0), random.number(1.0)];
+        let length = v.iter().map(|&x| f64::from(x) * f64::from(x)).sum::<f64>().sqrt();
+        let found: [f32; 3] = Vec3::<Scalar>::from(v).normalize().into();
+        for (found, x) in found.iter().zip(v) {
+            assert!(ulps(*found, f64::from(x) / length) <= 3.0, "{v:?} gives {found}");
+        }
+    }
+}
+
+#[test]
+fn normalize_gives_zero_where_there_is_no_direction() {
+    let normalized = |v: [f32; 2]| -> [f32; 2] { Vec2::<Scalar>::from(v).normalize().into() };
+    assert_eq!(normalized([0.0, 0.0]), [0.0, 0.0]);
+    assert_eq!(normalized([-0.0, 0.0]), [0.0, 0.0]);
+    assert!(normalized([1e-25, 0.0])[0] < 1e-20, "its square vanishes");
+    assert_eq!(normalized([1e25, 0.0]), [0.0, 0.0], "its square overflows");
+    assert_eq!(normalized([3.0, 4.0]), [0.6, 0.8]);
+    assert!(normalized([f32::NAN, 1.0]).iter().all(|x| x.is_nan()));
+}
