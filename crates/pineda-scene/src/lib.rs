@@ -1,1 +1,71 @@
-//! Placeholder.
+//! Models in, no pixels: OBJ, STL, PLY and the geometry of glTF 2.0 become one [`Scene`] that a renderer draws as it
+//! is, together with the camera that shows all of it.
+//!
+//! ```
+//! use pineda_scene::{Bounds, Format, Framing, Limits, NoFiles, Normals, View, load_bytes, smooth_normals};
+//!
+//! let obj = b"v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
+//! let mut loaded = load_bytes(obj, Format::Obj, &NoFiles, &Limits::default())?;
+//! for object in &mut loaded.scene.objects {
+//!     if object.normals == Normals::Absent {
+//!         smooth_normals(object, 40.0);
+//!     }
+//! }
+//! let square = &loaded.scene.objects[0];
+//! assert_eq!(square.triangles, [[0, 1, 2], [0, 2, 3]]);
+//! assert_eq!(square.vertices[0].normal, [0.0, 0.0, 1.0]);
+//! assert!(loaded.notes.is_empty());
+//!
+//! let bounds = Bounds::of(&loaded.scene).expect("a loaded scene has triangles");
+//! let camera = Framing::new(&bounds, &View::default())?;
+//! assert_eq!(camera.target, [0.5, 0.5, 0.0]);
+//! # Ok::<(), pineda_scene::Error>(())
+//! ```
+//!
+//! - [`load`] reads a file, [`load_with`] with limits of your own, [`load_bytes`] reads bytes: no file system needed.
+//!   What a reader leaves out (textures, lines, a missing material library) is a line each in [`Loaded::notes`].
+//! - A [`Scene`] is a list of [`Object`]s (vertices in world space, triangles, one material each) and of [`Material`]s.
+//!   World space is right-handed with y up, as in glTF; the other formats do not say which way is up and are taken as
+//!   they are.
+//! - [`flat_normals`] and [`smooth_normals`] make normals where a file has none.
+//! - [`Bounds`], [`View`] and [`Framing`] put the whole of a scene into the picture.
+//! - [`demo`] is a scene built in code.
+//!
+//! Files are not trusted. A damaged or hostile one gives an [`Error`] that says what is wrong, where, and what to do;
+//! never a panic. Memory and time are bounded by [`Limits`], and every count in a file is checked against the bytes
+//! that are there before anything is allocated.
+//!
+//! The same file gives the same bits on every platform: nothing but IEEE `+ - * / sqrt`, correctly rounded decimal
+//! conversion and the [`libm`] crate touches a number.
+
+mod bounds;
+mod color;
+mod demo;
+mod error;
+mod finish;
+mod format;
+mod framing;
+mod gltf;
+mod limits;
+mod load;
+mod normals;
+mod note;
+mod obj;
+mod ply;
+mod polygon;
+mod resolver;
+mod scene;
+mod stl;
+mod text;
+mod vector;
+
+pub use bounds::Bounds;
+pub use demo::demo;
+pub use error::Error;
+pub use format::Format;
+pub use framing::{Framing, View};
+pub use limits::Limits;
+pub use load::{Loaded, load, load_bytes, load_with};
+pub use normals::{flat_normals, smooth_normals};
+pub use resolver::{Folder, NoFiles, Resolver};
+pub use scene::{AlphaMode, Material, Normals, Object, Scene, Vertex};

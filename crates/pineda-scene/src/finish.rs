@@ -1,0 +1,79 @@
+//! The last step of every reader: what a renderer could not draw is taken out.
+
+use crate::load::Loaded;
+use crate::note::counted;
+use crate::vector::{add, area_vector_x2, unit_or_zero, widen};
+use crate::{Normals, Object, Vertex};
+
+/// Drops triangles with a NaN or infinite corner and objects without triangles, replaces unusable normals and colours,
+/// and says so.
+pub(crate) fn finish(loaded: &mut Loaded) {
+    let [mut dropped, mut normals, mut colors] = [0; 3];
+    for object in &mut loaded.scene.objects {
+        dropped += drop_unbounded_triangles(object);
+        normals += if object.normals == Normals::Given { replace_missing_normals(object) } else { 0 };
+        colors += replace_unbounded_colors(&mut object.vertices);
+    }
+    loaded.scene.objects.retain(|object| !object.triangles.is_empty());
+    let mut note = |count: usize, one: &str, many: &str, what: &str| {
+        if count > 0 {
+            loaded.notes.push(format!("{} {what}", counted(count, one, many)));
+        }
+    };
+    note(dropped, "triangle", "triangles", "dropped: a corner is infinite or not a number");
+    note(normals, "normal", "normals", "without a direction replaced by the faces'");
+    note(colors, "vertex colour", "vertex colours", "replaced by white: infinite or not a number");
+}
+
+fn drop_unbounded_triangles(object: &mut Object) -> usize {
+    let before = object.triangles.len();
+    if object.vertices.iter().all(is_bounded) {
+        return 0;
+    }
+    object.triangles.retain(|t| t.iter().all(|&v| is_bounded(&object.vertices[v as usize])));
+    before - object.triangles.len()
+}
+
+fn is_bounded(vertex: &Vertex) -> bool {
+    vertex.position.iter().all(|c| c.is_finite())
+}
+
+/// Readers mark a normal without a direction by `[0.0; 3]`: it becomes the mean of its faces', weighted by area.
+fn replace_missing_normals(object: &mut Object) -> usize {
+    const MISSING: [f32; 3] = [0.0; 3];
+    if object.vertices.iter().all(|v| v.normal != MISSING) {
+        return 0;
+    }
+    let mut sums = vec![[0.0; 3]; object.vertices.len()];
+    let mut used = vec![false; object.vertices.len()];
+    for triangle in &object.triangles {
+        let [a, b, c] = triangle.map(|v| widen(object.vertices[v as usize].position));
+        let area = area_vector_x2(a, b, c);
+        for &v in triangle {
+            sums[v as usize] = add(sums[v as usize], area);
+            used[v as usize] = true;
+        }
+    }
+    let mut replaced = 0;
+    for ((vertex, sum), used) in object.vertices.iter_mut().zip(sums).zip(used) {
+        if vertex.normal == MISSING {
+            vertex.normal = unit_or_zero(sum);
+            if vertex.normal == MISSING {
+                vertex.normal = [0.0, 0.0, 1.0];
+            }
+            replaced += usize::from(used);
+        }
+    }
+    replaced
+}
+
+fn replace_unbounded_colors(vertices: &mut [Vertex]) -> usize {
+    let mut replaced = 0;
+    for vertex in vertices {
+        if !vertex.color.iter().all(|c| c.is_finite()) {
+            vertex.color = Vertex::WHITE;
+            replaced += 1;
+        }
+    }
+    replaced
+}

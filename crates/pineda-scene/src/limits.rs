@@ -1,0 +1,134 @@
+//! What a file may ask for.
+
+use crate::Error;
+
+/// Bounds on what one model may ask for, whatever its format: so that no file, however made, takes all memory or all
+/// day. The defaults let through every model that is drawn in practice and keep a small hostile one below 1 GiB.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Limits {
+    /// Bytes of the file and of all files that it names. Default 2 GiB.
+    pub file_bytes: u64,
+    /// Vertices of the scene. Default 2^26 (2.5 GiB).
+    pub vertices: u64,
+    /// Triangles of the scene. Default 2^27 (1.5 GiB).
+    pub triangles: u64,
+    /// Vertices, and triangles, that the file's bytes do not hold one by one: meshes that several nodes draw, accessors
+    /// without data. A scene may hold this many more of either than the files have bytes. Default 2^24.
+    pub expanded: u64,
+    /// Objects of the scene. Default 2^20.
+    pub objects: u64,
+    /// Depth of a node below its scene's root. Default 1024.
+    pub nesting: u64,
+}
+
+impl Limits {
+    /// Elements of any one list in glTF's JSON. The parser enforces it, so it is the same for everybody: an empty JSON
+    /// object takes three bytes in the file but some two hundred in memory.
+    pub const JSON_LIST: usize = 1 << 20;
+}
+
+impl Default for Limits {
+    fn default() -> Self {
+        Self {
+            file_bytes: 2 << 30,
+            vertices: 1 << 26,
+            triangles: 1 << 27,
+            expanded: 1 << 24,
+            objects: 1 << 20,
+            nesting: 1024,
+        }
+    }
+}
+
+/// What is left of the limits while a model is read. Asked *before* memory is taken.
+pub(crate) struct Budget {
+    limits: Limits,
+    bytes: u64,
+    vertices: u64,
+    triangles: u64,
+    objects: u64,
+    elements: u64,
+    /// Steps that triangulating polygons may still take, see [`crate::polygon`].
+    pub(crate) polygon_steps: u64,
+}
+
+impl Budget {
+    /// For a model whose main file has `bytes` bytes.
+    pub(crate) fn new(limits: &Limits, bytes: usize) -> Result<Self, Error> {
+        let polygon_steps = crate::polygon::steps_allowed(bytes);
+        let mut budget =
+            Self { limits: *limits, bytes: 0, vertices: 0, triangles: 0, objects: 0, elements: 0, polygon_steps };
+        budget.add_bytes(bytes as u64)?;
+        Ok(budget)
+    }
+
+    pub(crate) fn nesting(&self) -> u64 {
+        self.limits.nesting
+    }
+
+    /// Bytes that side files may still have.
+    pub(crate) fn bytes_left(&self) -> u64 {
+        self.limits.file_bytes.saturating_sub(self.bytes)
+    }
+
+    /// Counts a file that has been read.
+    pub(crate) fn add_bytes(&mut self, bytes: u64) -> Result<(), Error> {
+        self.bytes = self.bytes.saturating_add(bytes);
+        check("bytes", self.bytes, self.limits.file_bytes, "Limits::file_bytes")
+    }
+
+    pub(crate) fn vertices(&mut self, count: u64) -> Result<(), Error> {
+        self.vertices = self.vertices.saturating_add(count);
+        // Indices are u32, and u32::MAX means "none" in places.
+        let limit = self.limits.vertices.min(u64::from(u32::MAX) - 1);
+        check("vertices", self.vertices, limit, "Limits::vertices")?;
+        self.check_expanded("vertices", self.vertices)
+    }
+
+    pub(crate) fn triangles(&mut self, count: u64) -> Result<(), Error> {
+        self.triangles = self.triangles.saturating_add(count);
+        check("triangles", self.triangles, self.limits.triangles, "Limits::triangles")?;
+        self.check_expanded("triangles", self.triangles)
+    }
+
+    /// Elements of one accessor without data, or of its sparse part: both can be named again and again.
+    pub(crate) fn elements(&mut self, count: u64) -> Result<(), Error> {
+        self.elements = self.elements.saturating_add(count);
+        self.check_expanded("accessor elements", self.elements)
+    }
+
+    pub(crate) fn objects(&mut self, count: u64) -> Result<(), Error> {
+        self.objects = self.objects.saturating_add(count);
+        check("objects", self.objects, self.limits.objects, "Limits::objects")
+    }
+
+    fn check_expanded(&self, what: &'static str, count: u64) -> Result<(), Error> {
+        check(what, count, self.bytes.saturating_add(self.limits.expanded), "Limits::expanded")
+    }
+}
+
+fn check(what: &'static str, count: u64, limit: u64, field: &'static str) -> Result<(), Error> {
+    if count > limit { Err(Error::Limit { what, count, limit, field }) } else { Ok(()) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn limits_name_the_field_to_raise() {
+        let limits = Limits { file_bytes: 10, vertices: 20, triangles: 20, expanded: 3, objects: 1, nesting: 1 };
+        let field = |error: Error| if let Error::Limit { field, .. } = error { field } else { panic!("{error}") };
+        assert_eq!(field(Budget::new(&limits, 11).err().unwrap()), "Limits::file_bytes");
+        let budget = || Budget::new(&limits, 10).unwrap();
+        assert_eq!(field(budget().add_bytes(1).unwrap_err()), "Limits::file_bytes");
+        assert_eq!(field(budget().vertices(14).unwrap_err()), "Limits::expanded");
+        assert_eq!(field(budget().vertices(u64::MAX).unwrap_err()), "Limits::vertices");
+        assert_eq!(field(budget().triangles(21).unwrap_err()), "Limits::triangles");
+        assert_eq!(field(budget().objects(2).unwrap_err()), "Limits::objects");
+        let mut budget = budget();
+        budget.vertices(10).unwrap();
+        budget.vertices(3).unwrap();
+        assert_eq!(field(budget.vertices(1).unwrap_err()), "Limits::expanded");
+    }
+}

@@ -1,0 +1,69 @@
+//! Wavefront OBJ and its MTL material libraries.
+//!
+//! Own readers: `tobj` 4.0 fans concave polygons, refuses the line continuation `\`, comments behind a face and files
+//! in which only some vertices have colours, and its errors do not name a line.
+
+mod build;
+mod mtl;
+mod parse;
+
+use std::collections::HashMap;
+
+use crate::limits::Budget;
+use crate::resolver::path_inside;
+use crate::{Error, Loaded, Resolver};
+use mtl::Library;
+
+/// Reads an OBJ file and the material libraries that it names.
+///
+/// A library that is not there, or not where it may be, costs the colours, not the picture.
+pub(crate) fn read(bytes: &[u8], files: &dyn Resolver, budget: &mut Budget) -> Result<Loaded, Error> {
+    let file = parse::parse(bytes, budget)?;
+    let mut notes = Vec::new();
+    let mut library = Library::default();
+    for names in &file.libraries {
+        for name in library_names(names, files, budget) {
+            match read_library(&name, files, budget) {
+                Ok(bytes) => library.parse(&name, &bytes),
+                Err(reason) => notes.push(format!("material library '{name}' {reason}")),
+            }
+        }
+    }
+    build::build(file, library, notes, budget)
+}
+
+fn read_library(name: &str, files: &dyn Resolver, budget: &mut Budget) -> Result<Vec<u8>, String> {
+    let path = path_inside(name).ok_or("is outside the model's folder, so it is not read")?;
+    let bytes = files.read(&path, budget.bytes_left()).map_err(|error| match error.kind() {
+        std::io::ErrorKind::NotFound => "not found".to_owned(),
+        _ => format!("cannot be read: {error}"),
+    })?;
+    budget.add_bytes(bytes.len() as u64).map_err(|error| error.to_string())?;
+    Ok(bytes)
+}
+
+/// `mtllib` takes several names, but exporters also write one name with spaces in it: that one, if it is there.
+fn library_names(names: &str, files: &dyn Resolver, budget: &Budget) -> Vec<String> {
+    let is_there = |name: &str| path_inside(name).is_some_and(|path| files.read(&path, budget.bytes_left()).is_ok());
+    if !names.contains(char::is_whitespace) || is_there(names) {
+        vec![names.to_owned()]
+    } else {
+        names.split_whitespace().map(str::to_owned).collect()
+    }
+}
+
+/// Numbers names in the order in which they come.
+#[derive(Default)]
+struct Names {
+    numbers: HashMap<String, usize>,
+    names: Vec<String>,
+}
+
+impl Names {
+    fn number(&mut self, name: String) -> usize {
+        *self.numbers.entry(name).or_insert_with_key(|name| {
+            self.names.push(name.clone());
+            self.names.len() - 1
+        })
+    }
+}

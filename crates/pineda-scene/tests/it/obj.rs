@@ -1,0 +1,238 @@
+use std::io;
+
+use pineda_scene::{AlphaMode, Error, Format, Limits, Loaded, Normals, load_bytes};
+
+use crate::{corners, only, positions};
+
+fn read(obj: &str) -> Loaded {
+    crate::read(Format::Obj, obj).unwrap()
+}
+
+fn with_files(obj: &str, files: &'static [(&'static str, &'static str)]) -> Loaded {
+    let resolver = move |path: &str, _max: u64| -> io::Result<Vec<u8>> {
+        let found = files.iter().find(|(name, _)| *name == path);
+        found.map(|(_, text)| text.as_bytes().to_vec()).ok_or_else(|| io::ErrorKind::NotFound.into())
+    };
+    load_bytes(obj.as_bytes(), Format::Obj, &resolver, &Limits::default()).unwrap()
+}
+
+const SQUARE: &str = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+
+#[test]
+fn obj_triangle_is_flat_white_and_double_sided() {
+    let loaded = read("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    let object = only(&loaded);
+    assert_eq!(positions(object), [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]);
+    assert_eq!(object.triangles, [[0, 1, 2]]);
+    assert_eq!(object.normals, Normals::Absent);
+    assert!(object.vertices.iter().all(|v| v.color == [1.0; 4] && v.normal == [0.0; 3]));
+    let material = &loaded.scene.materials[object.material];
+    assert!(
+        material.double_sided && material.base_color_factor == [1.0; 4] && material.alpha_mode == AlphaMode::Opaque
+    );
+    assert!(loaded.notes.is_empty());
+}
+
+#[test]
+fn obj_corners_of_all_four_kinds_and_negative_indices() {
+    let normal = "vn 0 0 2\nvt 0 0\nvt 1 1\n";
+    for (face, normals) in [
+        ("f 1 2 3 4", Normals::Absent),
+        ("f 1/1 2/2 3/1 4/2", Normals::Absent),
+        ("f 1//1 2//1 3//1 4//1", Normals::Given),
+        ("f 1/2/1 2/1/1 3/2/1 4/1/1", Normals::Given),
+        ("f -4 -3 -2 -1", Normals::Absent),
+        ("f -4//-1 -3//-1 -2//-1 -1//-1", Normals::Given),
+        ("f 1/ 2/ 3/ 4/", Normals::Absent),
+        // Texture coordinates are not looked at, so they need not exist.
+        ("f 1/99 2/99 3/99 4/99", Normals::Absent),
+    ] {
+        let loaded = read(&format!("{SQUARE}{normal}{face}\n"));
+        let object = only(&loaded);
+        assert_eq!(object.triangles, [[0, 1, 2], [0, 2, 3]], "{face}");
+        assert_eq!(object.normals, normals, "{face}");
+        if normals == Normals::Given {
+            assert!(object.vertices.iter().all(|v| v.normal == [0.0, 0.0, 1.0]), "normals have length 1");
+        }
+    }
+}
+
+#[test]
+fn obj_vertices_are_split_by_normal_and_shared_otherwise() {
+    let loaded = read(&format!("{SQUARE}vn 0 0 1\nvn 1 0 0\nf 1//1 2//1 3//1\nf 1//1 3//2 4//2\nf 1//1 3//2 4//2\n"));
+    let object = only(&loaded);
+    assert_eq!(object.vertices.len(), 5);
+    assert_eq!(object.triangles, [[0, 1, 2], [0, 3, 4], [0, 3, 4]]);
+    assert_eq!(object.vertices[3].normal, [1.0, 0.0, 0.0]);
+}
+
+#[test]
+fn obj_faces_without_normals_among_faces_with_are_flat() {
+    let loaded = read(&format!("{SQUARE}vn 0 1 0\nf 1//1 2//1 3//1\nf 1 3 4\n"));
+    let object = only(&loaded);
+    assert_eq!(object.normals, Normals::Given);
+    assert_eq!(object.vertices.len(), 6);
+    let normal = |v: u32| object.vertices[v as usize].normal;
+    assert_eq!(object.triangles[0].map(normal), [[0.0, 1.0, 0.0]; 3]);
+    assert_eq!(object.triangles[1].map(normal), [[0.0, 0.0, 1.0]; 3]);
+}
+
+#[test]
+fn obj_line_ends_continuations_comments_and_spaces() {
+    let plain = read(&format!("{SQUARE}f 1 2 3 4\n"));
+    for text in [
+        "# c\r\nv 0 0 0\r\nv 1 0 0 # one\r\nv\t1  1\t0\r\n  v 0 1 0\r\nf 1 2 \\\r\n 3 4\r\n".to_owned(),
+        "v 0 0 0\rv 1 0 0\rv 1 1 0\rv 0 1 0\rf 1 2 3 4".to_owned(),
+        "v 0 0 0\nv 1 0 \\\n0\nv 1.0 1e0 +0\nv 0 1. -0.0e5\nf \\\n1 2 3 \\\n\\\n4 # f 1 2".to_owned(),
+        format!("\u{feff}{SQUARE}\n\nf 1 2 3 4 \x0b\x0c"),
+    ] {
+        let loaded = read(&text);
+        assert_eq!(only(&loaded).triangles, only(&plain).triangles, "{text:?}");
+        assert_eq!(positions(only(&loaded)), positions(only(&plain)), "{text:?}");
+    }
+}
+
+#[test]
+fn obj_colours_are_srgb_in_either_range() {
+    let loaded = read("v 0 0 0 1 0.5 0\nv 1 0 0\nv 0 1 0 0 1 1 0.25\nf 1 2 3\n");
+    let colors: Vec<_> = only(&loaded).vertices.iter().map(|v| v.color).collect();
+    assert_eq!(colors, [[1.0, 0.214_041_14, 0.0, 1.0], [1.0; 4], [0.0, 1.0, 1.0, 0.25]]);
+    // The same in 0..=255.
+    let loaded = read("v 0 0 0 255 127.5 0\nv 1 0 0\nv 0 1 0 0 255 255\nf 1 2 3\n");
+    let colors: Vec<_> = only(&loaded).vertices.iter().map(|v| v.color).collect();
+    assert_eq!(colors, [[1.0, 0.214_041_14, 0.0, 1.0], [1.0; 4], [0.0, 1.0, 1.0, 1.0]]);
+    // A weight is not a colour.
+    let loaded = read("v 0 0 0 0.5\nv 1 0 0 0.5\nv 0 1 0 0.5\nf 1 2 3\n");
+    assert!(only(&loaded).vertices.iter().all(|v| v.color == [1.0; 4]));
+}
+
+#[test]
+fn obj_concave_polygons_are_not_fanned() {
+    // An arrowhead: corners 1 and 3 (from 0) do not see each other.
+    let loaded = read("v 0 0 0\nv 8 0 0\nv 2 2 0\nv 0 8 0\nf 2 3 4 1\n");
+    for triangle in corners(only(&loaded)) {
+        assert!(triangle.contains(&[0.0, 0.0, 0.0]) && triangle.contains(&[2.0, 2.0, 0.0]));
+    }
+}
+
+#[test]
+fn obj_groups_objects_and_materials_become_objects() {
+    let text = format!(
+        "{SQUARE}o box\nusemtl a\nf 1 2 3\ng lid\nusemtl b\nf 1 3 4\nusemtl a\nf 1 2 4\nf 2 3 4\no ball\nf 1 2 3\nusemtl b\ng\n"
+    );
+    let loaded = read(&text);
+    let objects: Vec<_> = loaded.scene.objects.iter().map(|o| (&*o.name, o.material, o.triangles.len())).collect();
+    assert_eq!(objects, [("box", 0, 1), ("box lid", 1, 1), ("box lid", 0, 2), ("ball", 0, 1)]);
+    let materials: Vec<_> = loaded.scene.materials.iter().map(|m| &*m.name).collect();
+    assert_eq!(materials, ["a", "b"]);
+    assert_eq!(loaded.notes, ["materials that no library defines drawn white: 'a', 'b'"]);
+}
+
+#[test]
+fn obj_vertices_may_come_behind_faces() {
+    let loaded = read("f 1 2 3 4\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n");
+    assert_eq!(only(&loaded).triangles, [[0, 1, 2], [0, 2, 3]]);
+}
+
+#[test]
+fn obj_material_library() {
+    let obj = format!("mtllib my colours.mtl\n{SQUARE}usemtl light red\nf 1 2 3\nusemtl glass\nf 1 3 4\n");
+    let mtl = "newmtl light red\nKd 1 0 0\nmap_Kd a.png\nnewmtl glass\nKd 0 1 0\nd 0.5\n";
+    let loaded = with_files(&obj, Box::leak(Box::new([("my colours.mtl", mtl)])));
+    let factors: Vec<_> = loaded.scene.materials.iter().map(|m| (m.base_color_factor, m.alpha_mode)).collect();
+    assert_eq!(factors, [([1.0, 0.0, 0.0, 1.0], AlphaMode::Opaque), ([0.0, 1.0, 0.0, 0.5], AlphaMode::Blend)]);
+    assert_eq!(
+        loaded.notes,
+        ["textures are not drawn yet: 1 image ignored", "transparency is not drawn yet: 1 material drawn opaque",]
+    );
+}
+
+#[test]
+fn obj_several_material_libraries_on_a_line() {
+    let files: &[_] = &[("a.mtl", "newmtl a\nKd 1 0 0"), ("sub/b.mtl", "newmtl b\nKd 0 1 0")];
+    let loaded = with_files(&format!("mtllib a.mtl ./sub\\b.mtl\n{SQUARE}usemtl a\nf 1 2 3\nusemtl b\nf 1 3 4"), files);
+    assert_eq!(loaded.scene.materials[0].base_color_factor, [1.0, 0.0, 0.0, 1.0]);
+    assert_eq!(loaded.scene.materials[1].base_color_factor, [0.0, 1.0, 0.0, 1.0]);
+    assert!(loaded.notes.is_empty());
+}
+
+#[test]
+fn obj_missing_library_costs_the_colours_only() {
+    let obj = format!("mtllib plane.mtl\n{SQUARE}usemtl a\nf 1 2 3\nf 1 3 4\n");
+    let loaded = with_files(&obj, &[]);
+    assert_eq!(loaded.notes, ["material library 'plane.mtl' not found"]);
+    assert_eq!(&*loaded.scene.materials[0].name, "a");
+    for outside in ["../a.mtl", "/a.mtl", "C:\\a.mtl"] {
+        let loaded = with_files(&obj.replace("plane.mtl", outside), &[]);
+        assert_eq!(
+            loaded.notes,
+            [format!("material library '{outside}' is outside the model's folder, so it is not read")]
+        );
+    }
+}
+
+#[test]
+fn obj_notes_what_is_skipped() {
+    let loaded = read(&format!("{SQUARE}f 1 2 3\nf 1 2\nf\nl 1 2 3\np 1\np 2\ncurv 0 1 1 2\nnonsense 1\ns off\n"));
+    assert_eq!(
+        loaded.notes,
+        [
+            "2 faces with fewer than three corners skipped",
+            "1 line element skipped",
+            "2 point elements skipped",
+            "1 free-form curve or surface skipped",
+        ]
+    );
+}
+
+#[test]
+fn obj_points_that_are_not_finite_drop_their_triangles() {
+    let loaded =
+        read("v 0 0 0\nv 1 0 0\nv 1 1 0\nv nan 1 0\nv 1e39 0 0\nv 0 inf 0\nf 1 2 3\nf 1 2 4\nf 1 2 5\nf 6 2 1");
+    assert_eq!(only(&loaded).triangles.len(), 1);
+    assert_eq!(loaded.notes, ["3 triangles dropped: a corner is infinite or not a number"]);
+}
+
+#[test]
+fn obj_normals_without_a_direction_become_the_faces() {
+    let loaded = read(&format!("{SQUARE}vn 0 0 0\nvn nan 0 0\nf 1//1 2//1 3//2 4//2\n"));
+    assert!(only(&loaded).vertices.iter().all(|v| v.normal == [0.0, 0.0, 1.0]));
+    assert_eq!(loaded.notes, ["4 normals without a direction replaced by the faces'"]);
+}
+
+#[test]
+fn obj_errors_name_the_line() {
+    let fails = |text: &str, says: &[&str]| crate::fails(Format::Obj, format!("{SQUARE}{text}"), says);
+    fails("f 1 2 0", &["OBJ, line 5", "'0'", "from 1"]);
+    fails("f 1 2 -5", &["line 5", "'-5'", "only 4 vertices"]);
+    fails("f 1 2 x", &["line 5", "'x'", "whole numbers"]);
+    fails("f 1 2 3//-1", &["line 5", "only 0 normals"]);
+    fails("f 1 2 99999999999", &["line 5", "too large"]);
+    fails("g lid\nf 1 2 3\nf 1 2 9", &["line 6", "face 2 of 'lid'", "vertex 9", "has 4"]);
+    fails("f 1//1 2//1 3//1", &["line 5", "normal 1", "has 0"]);
+    fails("v 1 2", &["line 5", "three numbers"]);
+    fails("v 1 2 three", &["line 5", "'three'", "not a number"]);
+    fails("v 1,5 2 3", &["line 5", "'1,5'"]);
+    fails("vn 1", &["line 5", "vn"]);
+    fails("v 0 0 \\\n\\\n x", &["line 7"]);
+}
+
+#[test]
+fn obj_without_triangles_says_what_there_is() {
+    crate::fails(Format::Obj, "", &["no triangles"]);
+    crate::fails(Format::Obj, "v 0 0 0\nv 1 1 1\nl 1 2", &["no triangles", "1 line element skipped"]);
+    crate::fails(Format::Obj, "v 0 0 0\nv 1 1 nan\nf 1 2 2", &["no triangles", "not a number"]);
+}
+
+#[test]
+fn obj_limits() {
+    let text = format!("{SQUARE}g a\nf 1 2 3 4\ng b\nf 1 2 3\n");
+    let field = |limits: Limits| match load_bytes(text.as_bytes(), Format::Obj, &pineda_scene::NoFiles, &limits) {
+        Err(Error::Limit { field, .. }) => field,
+        other => panic!("{other:?}"),
+    };
+    assert_eq!(field(Limits { vertices: 6, ..Limits::default() }), "Limits::vertices");
+    assert_eq!(field(Limits { triangles: 2, ..Limits::default() }), "Limits::triangles");
+    assert_eq!(field(Limits { objects: 1, ..Limits::default() }), "Limits::objects");
+    assert_eq!(field(Limits { file_bytes: 10, ..Limits::default() }), "Limits::file_bytes");
+}
