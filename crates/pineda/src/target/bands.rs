@@ -1,0 +1,140 @@
+//! The target cut into bands, one row of tiles each, so that threads write to it without `unsafe`: a thread locks the
+//! band for as long as it takes to copy one tile.
+
+use super::{ColorBuffer, Target};
+use crate::tile::view::TileView;
+use std::sync::{Mutex, MutexGuard, PoisonError};
+
+/// The rows of a target's buffers that one row of tiles covers.
+#[derive(Debug)]
+pub(crate) struct Band<'a> {
+    pub(crate) color: ColorBuffer<'a>,
+    pub(crate) depth: Option<&'a mut [f32]>,
+    pub(crate) triangle_ids: Option<&'a mut [u32]>,
+    pub(crate) draw_ids: Option<&'a mut [u32]>,
+    pub(crate) barycentrics: Option<&'a mut [[f32; 3]]>,
+    pub(crate) hits: Option<&'a mut [u32]>,
+}
+
+/// All bands of a target, from the top.
+#[derive(Debug)]
+pub(crate) struct Bands<'a>(Vec<Mutex<Band<'a>>>);
+
+impl<'a> Bands<'a> {
+    /// Cuts a valid target into bands of `side` rows.
+    pub(crate) fn new(target: &'a mut Target<'_>, side: usize) -> Self {
+        let rows = side * target.width as usize;
+        let count = (target.height as usize).div_ceil(side);
+        let mut color = color_chunks(&mut target.color, rows);
+        let mut depth = chunks(&mut target.depth, rows);
+        let mut triangle_ids = chunks(&mut target.triangle_ids, rows);
+        let mut draw_ids = chunks(&mut target.draw_ids, rows);
+        let mut barycentrics = chunks(&mut target.barycentrics, rows);
+        let mut hits = chunks(&mut target.hits, rows);
+        let band = |_| {
+            Mutex::new(Band {
+                color: color.next().unwrap_or_default(),
+                depth: depth.next(),
+                triangle_ids: triangle_ids.next(),
+                draw_ids: draw_ids.next(),
+                barycentrics: barycentrics.next(),
+                hits: hits.next(),
+            })
+        };
+        Self((0..count).map(band).collect())
+    }
+
+    /// The band of a row of tiles, for this thread alone while the guard lives.
+    pub(crate) fn lock(&self, row: usize) -> MutexGuard<'_, Band<'a>> {
+        self.0[row].lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+fn chunks<'a, T>(buffer: &'a mut Option<&mut [T]>, rows: usize) -> impl Iterator<Item = &'a mut [T]> {
+    buffer.as_deref_mut().into_iter().flat_map(move |buffer| buffer.chunks_mut(rows))
+}
+
+fn color_chunks<'a>(color: &'a mut ColorBuffer<'_>, rows: usize) -> Box<dyn Iterator<Item = ColorBuffer<'a>> + 'a> {
+    match color {
+        ColorBuffer::None => Box::new(std::iter::empty()),
+        ColorBuffer::Rgba8(pixels) => Box::new(pixels.chunks_mut(rows).map(ColorBuffer::Rgba8)),
+        ColorBuffer::Rgba8Srgb(pixels) => Box::new(pixels.chunks_mut(rows).map(ColorBuffer::Rgba8Srgb)),
+        ColorBuffer::Rgba32F(pixels) => Box::new(pixels.chunks_mut(rows).map(ColorBuffer::Rgba32F)),
+    }
+}
+
+/// The part of a tile that lies in the picture, for copying between its blocks and the rows of a band.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct TileRows {
+    /// The picture's width, that is, the band's stride, and the tile's first column.
+    width: usize,
+    x: usize,
+    columns: usize,
+    rows: usize,
+}
+
+impl TileRows {
+    pub(crate) fn new(view: &TileView, width: u32, height: u32) -> Self {
+        let within = |first: i32, size: u32| (size as usize - first as usize).min(view.side as usize);
+        Self { width: width as usize, x: view.x as usize, columns: within(view.x, width), rows: within(view.y, height) }
+    }
+
+    /// Calls `copy(row of the band, block, first sample)` for each piece of at most four pixels. `blocks` gives the
+    /// number of the first block of a row of blocks.
+    #[inline(always)]
+    pub(crate) fn for_each<T>(
+        &self,
+        band: &mut [T],
+        blocks: impl Fn(usize) -> usize,
+        mut copy: impl FnMut(&mut [T], usize, usize),
+    ) {
+        for row in 0..self.rows {
+            let first = row * self.width + self.x;
+            let pieces = band[first..first + self.columns].chunks_mut(4);
+            let block = blocks(row / 4);
+            for (k, piece) in pieces.enumerate() {
+                copy(piece, block + k, row % 4 * 4);
+            }
+        }
+    }
+
+    /// Copies whole blocks out.
+    #[inline(always)]
+    pub(crate) fn store<T, U: Copy>(
+        &self,
+        band: &mut [T],
+        source: &[[U; 16]],
+        blocks: impl Fn(usize) -> usize,
+        convert: impl Fn(U) -> T,
+    ) {
+        self.for_each(band, blocks, |piece, block, first| {
+            let samples = &source[block][first..first + 4];
+            if let Ok(four) = <&mut [T; 4]>::try_from(&mut *piece) {
+                for k in 0..4 {
+                    four[k] = convert(samples[k]);
+                }
+            } else {
+                for (to, &from) in piece.iter_mut().zip(samples) {
+                    *to = convert(from);
+                }
+            }
+        });
+    }
+
+    /// Copies into blocks.
+    #[inline(always)]
+    pub(crate) fn load<T: Copy, U>(
+        &self,
+        band: &mut [T],
+        target: &mut [[U; 16]],
+        blocks: impl Fn(usize) -> usize,
+        convert: impl Fn(T) -> U,
+    ) {
+        self.for_each(band, blocks, |piece, block, first| {
+            let samples = &mut target[block][first..first + 4];
+            for (to, &from) in samples.iter_mut().zip(&*piece) {
+                *to = convert(from);
+            }
+        });
+    }
+}
