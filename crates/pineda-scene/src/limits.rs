@@ -13,9 +13,9 @@ pub struct Limits {
     /// Triangles of the scene. Default 2^27 (1.5 GiB).
     pub triangles: u64,
     /// Vertices, and triangles, that the file's bytes do not hold one by one: meshes that several nodes draw, accessors
-    /// without data. A scene may hold this many more of either than the files have bytes. Default 2^24.
+    /// without data. A scene may hold this many more of either than the files have bytes. Default 2^23.
     pub expanded: u64,
-    /// Objects of the scene. Default 2^20.
+    /// Objects of the scene. Default 2^19.
     pub objects: u64,
     /// Depth of a node below its scene's root. Default 1024.
     pub nesting: u64,
@@ -33,8 +33,8 @@ impl Default for Limits {
             file_bytes: 2 << 30,
             vertices: 1 << 26,
             triangles: 1 << 27,
-            expanded: 1 << 24,
-            objects: 1 << 20,
+            expanded: 1 << 23,
+            objects: 1 << 19,
             nesting: 1024,
         }
     }

@@ -99,7 +99,7 @@ impl<C: Copy> Polygons<C> {
 /// How many steps the polygons of a file of so many bytes may take: seconds at most, and far more than any but a file
 /// made for the purpose needs.
 pub(crate) fn steps_allowed(bytes: usize) -> u64 {
-    (1 << 28) + 64 * bytes as u64
+    (1 << 26) + 8 * bytes as u64
 }
 
 /// Notes of what happened to a file's polygons.

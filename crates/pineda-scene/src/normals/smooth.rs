@@ -152,6 +152,8 @@ impl<'a> Directions<'a> {
 /// Makes one vertex of all corners with the same place, colour and normal.
 fn share_vertices(object: &mut Object, weld: &Weld, normals: &[[f32; 3]]) {
     const NONE: u32 = u32::MAX;
+    /// Not sharing a vertex is right, too, so a place with thousands of different normals need not take for ever.
+    const LONGEST_SEARCH: u32 = 12;
     let mut vertices: Vec<Vertex> = Vec::with_capacity(object.vertices.len());
     // The vertices made for each place, as a list from the newest on. Lists are short: their number is the number of
     // different normals and colours at one place, and the newest is nearly always the one that is wanted.
@@ -164,9 +166,8 @@ fn share_vertices(object: &mut Object, weld: &Weld, normals: &[[f32; 3]]) {
         let mut found = newest[place];
         let mut steps = 0;
         while found != NONE && !same(&vertices[found as usize], &vertex) {
-            // Not sharing is right, too, so a place with hundreds of different normals need not take forever.
             steps += 1;
-            found = if steps < Directions::FEW { older[found as usize] } else { NONE };
+            found = if steps < LONGEST_SEARCH { older[found as usize] } else { NONE };
         }
         if found == NONE {
             found = vertices.len() as u32;

@@ -41,6 +41,14 @@ pub(super) fn read(bytes: &[u8], budget: &mut Budget) -> Result<Loaded, Error> {
     Ok(Loaded { scene: Scene { objects, materials: vec![Material::default()] }, notes })
 }
 
+/// A word in lower case, in `buffer`; nothing if it is longer than any keyword.
+fn lowercase<'b>(word: &[u8], buffer: &'b mut [u8; 8]) -> &'b [u8] {
+    let Some(lower) = buffer.get_mut(..word.len()) else { return b"" };
+    lower.copy_from_slice(word);
+    lower.make_ascii_lowercase();
+    lower
+}
+
 struct Reader<'a> {
     text: Text<'a>,
     solids: Vec<Solid>,
@@ -57,11 +65,11 @@ struct Solid {
 
 impl Reader<'_> {
     fn statement(&mut self, keyword: &[u8], budget: &mut Budget) -> Result<(), Error> {
-        match keyword.to_ascii_lowercase().as_slice() {
+        match lowercase(keyword, &mut [0; 8]) {
             b"solid" => {
                 let name = self.solid_name();
                 self.solids.push(Solid { name, ..Solid::default() });
-                // The name ended at a word that has been read: that of the first facet.
+                self.facet.clear();
             }
             b"facet" => self.facet.clear(),
             b"vertex" => {
@@ -71,7 +79,13 @@ impl Reader<'_> {
             }
             b"endloop" => self.end_facet(),
             b"endsolid" => {
-                self.text.rest();
+                // The name, unless the next solid is on the same line. Should "solid" be part of the name, that makes a
+                // solid without facets, which is passed over.
+                while let Some(word) = self.text.word() {
+                    if word.eq_ignore_ascii_case(b"solid") {
+                        return self.statement(word, budget);
+                    }
+                }
             }
             // "outer loop", "endfacet" and a facet's normal.
             b"outer" | b"loop" | b"endfacet" | b"normal" => {}

@@ -93,6 +93,10 @@ fn stl_several_solids_become_objects() {
     let loaded = read(format!("{}{}{}", ascii("a"), "solid empty\nendsolid\n", ascii("b")));
     let names: Vec<_> = loaded.scene.objects.iter().map(|o| &*o.name).collect();
     assert_eq!(names, ["a", "b"]);
+    let on_one_line = format!("{}{}", ascii("a part"), ascii("b")).replace('\n', " ");
+    let names: Vec<_> = read(on_one_line).scene.objects.iter().map(|o| o.name.to_string()).collect();
+    assert_eq!(names, ["a part", "b"]);
+    assert_eq!(read(ascii("the solid part").repeat(2)).scene.objects.len(), 2);
 }
 
 #[test]
