@@ -13,6 +13,9 @@ pub(crate) fn expand(item: TokenStream) -> Result<TokenStream, Error> {
             "varyings are a struct: an enum or a union cannot be interpolated",
         ));
     };
+    if data.fields.is_empty() {
+        return Err(Error::new_spanned(&input.ident, "varyings without fields are `()`: no struct is needed"));
+    }
     let width = width(&input.ident, &input.generics)?;
     let parameters = quote!(<#width: ::pineda::Lanes>);
     let (name, where_clause) = (&input.ident, &input.generics.where_clause);
@@ -31,11 +34,10 @@ pub(crate) fn expand(item: TokenStream) -> Result<TokenStream, Error> {
         // Errors about a field that is no varying point at its type.
         let varyings = quote_spanned!(ty.span()=> <#ty as ::pineda::Varyings<#width>>);
         layout = quote!(#layout.with(#varyings::INTERPOLATION, #interpolation));
-        reads.push(quote!(#member: #varyings::read(&row[#offset..])));
-        writes.push(quote!(#varyings::write(self.#member, &mut row[#offset..]);));
+        reads.push(quote!(#member: #varyings::read(lanes, &rows[(#offset) * <#width as ::pineda::Lanes>::N..])));
+        writes.push(quote!(#varyings::write(self.#member, &mut rows[(#offset) * <#width as ::pineda::Lanes>::N..]);));
         offset = quote!(#offset + #varyings::LEN);
     }
-    let row = if data.fields.is_empty() { quote!(_) } else { quote!(row) };
 
     Ok(quote! {
         #[automatically_derived]
@@ -53,11 +55,11 @@ pub(crate) fn expand(item: TokenStream) -> Result<TokenStream, Error> {
             const LEN: usize = #layout.len();
             const INTERPOLATION: &'static [::pineda::Interpolation] = const { &#layout }.interpolation();
             #[inline(always)]
-            fn read(#row: &[::pineda::Real<#width>]) -> Self {
+            fn read(lanes: #width, rows: &[f32]) -> Self {
                 Self { #(#reads),* }
             }
             #[inline(always)]
-            fn write(self, #row: &mut [::pineda::Real<#width>]) {
+            fn write(self, rows: &mut [f32]) {
                 #(#writes)*
             }
         }

@@ -4,10 +4,10 @@ use super::{DrawState, Indices, Mesh};
 use crate::geometry::project::Projection;
 use crate::geometry::raster_space::ScreenVertex;
 use crate::lanes::Scalar;
-use crate::math::{Real, Rgba, Vec4};
-use crate::shading::run::{RECORD_HEADER, RunView, Source, record_words};
-use crate::shading::shade::{Packets, ShadedTile, shade};
-use crate::shading::{Closure, ClosureFragment, FragmentKind, MAX_VARYINGS, Native, Shader, Varyings, native};
+use crate::math::{Rgba, Vec4};
+use crate::shading::packet::{PacketBatch, VaryingLayout};
+use crate::shading::run::{RECORD_HEADER, Source, record_words};
+use crate::shading::{Closure, ClosureFragment, FragmentKind, Native, Shader, Varyings, native};
 use fearless_simd::{Level, Simd, dispatch};
 
 /// A mesh, a shader and a state.
@@ -15,15 +15,19 @@ pub(crate) trait DrawCall: Sync {
     fn state(&self) -> &DrawState;
     fn indices(&self) -> Indices<'_>;
     fn vertex_count(&self) -> usize;
-    /// Words of a vertex record.
-    fn record_words(&self) -> usize;
+    fn layout(&self) -> VaryingLayout;
     fn discards(&self) -> bool;
     /// The position of one vertex.
     fn position(&self, vertex: usize) -> [f32; 4];
     /// Runs the vertex stage for the vertices at places `first_place` on, as many as there are screen vertices.
     fn run_vertices(&self, level: Level, job: VertexJob<'_>);
     /// Runs the fragment stage.
-    fn run_fragments(&self, level: Level, run: &RunView<'_>, packets: Packets<'_>, tile: ShadedTile<'_>);
+    fn run_fragments(&self, level: Level, batch: &mut PacketBatch);
+
+    /// Words of a vertex record.
+    fn record_words(&self) -> usize {
+        record_words(self.layout().interpolation.len())
+    }
 }
 
 /// Vertices to be shaded, and where to put them.
@@ -67,8 +71,9 @@ impl<Sh: Shader> DrawCall for ShaderDraw<'_, Sh> {
         self.mesh.vertices.len()
     }
 
-    fn record_words(&self) -> usize {
-        record_words(<Sh::Varyings<Scalar> as Varyings<Scalar>>::LEN)
+    fn layout(&self) -> VaryingLayout {
+        let interpolation = <Sh::Varyings<Scalar> as Varyings<Scalar>>::INTERPOLATION;
+        VaryingLayout::new(interpolation, <Sh as FragmentKind>::DERIVATIVES)
     }
 
     fn discards(&self) -> bool {
@@ -83,9 +88,8 @@ impl<Sh: Shader> DrawCall for ShaderDraw<'_, Sh> {
         dispatch!(level, s => run_vertices(s, self.shader, self.mesh.vertices, job));
     }
 
-    fn run_fragments(&self, level: Level, run: &RunView<'_>, packets: Packets<'_>, mut tile: ShadedTile<'_>) {
-        let position = |vertex: usize| self.position(vertex);
-        dispatch!(level, s => shade(s, self.shader, run, &position, packets, &mut tile));
+    fn run_fragments(&self, level: Level, batch: &mut PacketBatch) {
+        dispatch!(level, s => batch.run(s, self.shader));
     }
 }
 
@@ -126,8 +130,8 @@ where
         self.mesh.vertices.len()
     }
 
-    fn record_words(&self) -> usize {
-        record_words(T::LEN)
+    fn layout(&self) -> VaryingLayout {
+        VaryingLayout::new(T::INTERPOLATION, false)
     }
 
     fn discards(&self) -> bool {
@@ -142,9 +146,8 @@ where
         dispatch!(level, s => run_vertices::<_, In, T>(s, &VertexClosure(&self.vertex), self.mesh.vertices, job));
     }
 
-    fn run_fragments(&self, _: Level, run: &RunView<'_>, packets: Packets<'_>, mut tile: ShadedTile<'_>) {
-        let position = |vertex: usize| self.position(vertex);
-        shade(native().0, &self.fragment, run, &position, packets, &mut tile);
+    fn run_fragments(&self, _: Level, batch: &mut PacketBatch) {
+        batch.run(native().0, &self.fragment);
     }
 }
 
@@ -173,13 +176,7 @@ fn run_vertices<S: Simd, In, V: Varyings<Scalar>>(
             let (position, varyings) = stage.run(vertex);
             positions[k] = array(position);
             let record = &mut records[(at + k) * words..(at + k + 1) * words];
-            let mut row = [Real(0.0); MAX_VARYINGS];
-            varyings.write(&mut row);
-            let mut i = 0;
-            while i < V::LEN {
-                record[RECORD_HEADER + i] = row[i].0.to_bits();
-                i += 1;
-            }
+            varyings.write(bytemuck::cast_slice_mut(&mut record[RECORD_HEADER..]));
             k += 1;
         }
         let mut projected = [ScreenVertex::default(); 16];

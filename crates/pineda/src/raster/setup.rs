@@ -59,20 +59,24 @@ pub(crate) fn setup<S: Simd>(
     while t < range.end {
         let count = (range.end - t).min(16);
         let triangles = Sixteen::load(s, corners, screen, t, count);
-        let mut todo = (1u64 << count) - 1;
-        let off = off_raster(s, &triangles) & todo;
         let ids = lane_numbers(s, 1 << ORDER_BITS) + TriangleId::first(first_number + t) as i32;
-        let mut rest = off;
-        while rest != 0 {
-            // What comes before the triangle that needs care, then the triangle itself, then on.
-            let lane = rest.trailing_zeros() as usize;
-            let before = todo & ((1 << lane) - 1);
-            emit(s, state, &triangles, ids, None, before, share);
-            todo &= !before & !(1 << lane);
-            rest &= rest - 1;
-            careful(s, state, corners.of(t + lane), screen, first_number + t + lane, share);
+        let mut todo = (1u64 << count) - 1;
+        let mut off = off_raster(s, &triangles) & todo;
+        // Mostly once. A triangle that needs care is taken between those before and those after it.
+        while todo != 0 {
+            let next = off.trailing_zeros();
+            let before = todo & !u64::MAX.checked_shl(next).unwrap_or(0);
+            if before != 0 {
+                emit(s, state, &triangles, ids, None, before, share);
+            }
+            todo &= !before;
+            if off != 0 {
+                let triangle = t + next as usize;
+                careful(s, state, corners.of(triangle), screen, first_number + triangle, share);
+                todo &= todo - 1;
+                off &= off - 1;
+            }
         }
-        emit(s, state, &triangles, ids, None, todo, share);
         t += 16;
     }
 }
@@ -194,88 +198,39 @@ fn emit<S: Simd>(
     let dz_dx = (dz1 * float(by) - dz2 * float(ay)) * scale;
     let dz_dy = (dz2 * float(ax) - dz1 * float(bx)) * scale;
 
+    let facts = Facts {
+        ids,
+        x,
+        y,
+        z,
+        dz_dx,
+        dz_dy,
+        column0,
+        column1,
+        row0,
+        row1,
+        edges,
+    };
     let (columns, rows) = (column1 - column0, row1 - row0);
-    let mut is_small = columns.simd_lt(SMALL_EXTENT) & rows.simd_lt(SMALL_EXTENT) & live & !is_large;
-    let mut coverage = i32x16::splat(s, 0);
-    if is_small.any_true() {
-        coverage = small_coverage(s, &edges, column0, row0, columns, rows);
-        // Most of the smallest triangles lie between samples.
-        live = live & !(is_small & coverage.simd_eq(0));
-        is_small = is_small & live;
-    }
-    let (small_lanes, large_lanes) = (is_small.to_bitmask(), (is_large & live).to_bitmask());
-    let live_lanes = live.to_bitmask();
-    let mid_lanes = live_lanes & !small_lanes & !large_lanes;
-
-    let (block_x, block_y) = (column0 >> 2, row0 >> 2);
-    let (first_x, first_y) = ((block_x << 10) + HALF_PIXEL, (block_y << 10) + HALF_PIXEL);
-    let (anchor_x, anchor_y) = (first_x - x[0], first_y - y[0]);
-    let plane: [u32x16<S>; 3] = [z[0].bitcast(), dz_dx.bitcast(), dz_dy.bitcast()];
-    let zero = u32x16::splat(s, 0);
-
+    let is_small = columns.simd_lt(SMALL_EXTENT) & rows.simd_lt(SMALL_EXTENT) & live & !is_large;
     let mut small_rows = [[0; 8]; 16];
+    let mut live_lanes = live.to_bitmask();
+    let large_lanes = (is_large & live).to_bitmask();
+    let mut small_lanes = is_small.to_bitmask();
     if small_lanes != 0 {
-        let (left, right) = block_masks(s, coverage, column0 & 3, row0 & 3);
-        small_rows = transpose8([
-            ids.bitcast(),
-            (block_x | (block_y << 16)).bitcast(),
-            left.bitcast(),
-            right.bitcast(),
-            plane[0],
-            plane[1],
-            plane[2],
-            pack(anchor_x, anchor_y),
-        ]);
+        let covering = small_records(s, &facts, &mut small_rows);
+        // Most of the smallest triangles lie between samples.
+        live_lanes &= !small_lanes | covering;
+        small_lanes &= covering;
     }
-    let z_min: u32x16<S> = smaller(smaller(z[0], z[1]), z[2]).bitcast();
-    let box_columns: u32x16<S> = (column0 | (column1 << 16)).bitcast();
-    let box_rows: u32x16<S> = (row0 | (row1 << 16)).bitcast();
+    let mid_lanes = live_lanes & !small_lanes & !large_lanes;
     let mut mid_rows = [[0; 16]; 16];
     if mid_lanes != 0 {
-        mid_rows = transpose16([
-            ids.bitcast(),
-            box_columns,
-            box_rows,
-            plane[0],
-            plane[1],
-            plane[2],
-            anchor_x.bitcast(),
-            anchor_y.bitcast(),
-            edges[0].at(first_x, first_y).bitcast(),
-            edges[1].at(first_x, first_y).bitcast(),
-            edges[2].at(first_x, first_y).bitcast(),
-            edges[0].steps(),
-            edges[1].steps(),
-            edges[2].steps(),
-            z_min,
-            zero,
-        ]);
+        mid_records(s, &facts, &mut mid_rows);
     }
     let mut large_rows = [[0; 16]; 16];
     if large_lanes != 0 {
-        let one = i32x16::splat(s, 1);
-        let none = i32x16::splat(s, 0);
-        let rule = edges[0].is_top_left().select(one, none)
-            | edges[1].is_top_left().select(one << 1, none)
-            | edges[2].is_top_left().select(one << 2, none);
-        large_rows = transpose16([
-            ids.bitcast(),
-            box_columns,
-            box_rows,
-            plane[0],
-            plane[1],
-            plane[2],
-            x[0].bitcast(),
-            y[0].bitcast(),
-            x[1].bitcast(),
-            y[1].bitcast(),
-            x[2].bitcast(),
-            y[2].bitcast(),
-            z_min,
-            rule.bitcast(),
-            z[1].bitcast(),
-            z[2].bitcast(),
-        ]);
+        large_records(s, &facts, &mut large_rows);
     }
 
     let log2 = state.grid.log2;
@@ -304,6 +259,136 @@ fn emit<S: Simd>(
             bin_large(&mut share.bins, &state.grid, tiles, entry, &record);
         }
     }
+}
+
+/// What is known of sixteen triangles when their records are made: vertices in canonical order, depth's plane, box of samples.
+#[derive(Clone, Copy)]
+struct Facts<S: Simd> {
+    ids: i32x16<S>,
+    x: [i32x16<S>; 3],
+    y: [i32x16<S>; 3],
+    z: [f32x16<S>; 3],
+    dz_dx: f32x16<S>,
+    dz_dy: f32x16<S>,
+    column0: i32x16<S>,
+    column1: i32x16<S>,
+    row0: i32x16<S>,
+    row1: i32x16<S>,
+    edges: [Edge<S>; 3],
+}
+
+impl<S: Simd> Facts<S> {
+    /// The first sample of the box's first block.
+    #[inline(always)]
+    fn first_sample(&self) -> (i32x16<S>, i32x16<S>) {
+        (((self.column0 >> 2) << 10) + HALF_PIXEL, ((self.row0 >> 2) << 10) + HALF_PIXEL)
+    }
+
+    /// The words that mid and large records begin with.
+    #[inline(always)]
+    fn head(&self) -> [u32x16<S>; 6] {
+        [
+            self.ids.bitcast(),
+            (self.column0 | (self.column1 << 16)).bitcast(),
+            (self.row0 | (self.row1 << 16)).bitcast(),
+            self.z[0].bitcast(),
+            self.dz_dx.bitcast(),
+            self.dz_dy.bitcast(),
+        ]
+    }
+
+    #[inline(always)]
+    fn nearest(&self) -> u32x16<S> {
+        smaller(smaller(self.z[0], self.z[1]), self.z[2]).bitcast()
+    }
+}
+
+/// The records of small triangles, and the lanes of those that cover a sample.
+///
+/// This and its two siblings are functions of their own so that the compiler gets them in digestible pieces: in one piece, the level without vector
+/// instructions took it two minutes.
+#[inline(never)]
+fn small_records<S: Simd>(s: S, facts: &Facts<S>, out: &mut [[u32; 8]; 16]) -> u64 {
+    s.vectorize(
+        #[inline(always)]
+        || {
+            let coverage = small_coverage(s, facts);
+            let (left, right) = block_masks(s, coverage, facts.column0 & 3, facts.row0 & 3);
+            let (first_x, first_y) = facts.first_sample();
+            *out = transpose8([
+                facts.ids.bitcast(),
+                ((facts.column0 >> 2) | ((facts.row0 >> 2) << 16)).bitcast(),
+                left.bitcast(),
+                right.bitcast(),
+                facts.z[0].bitcast(),
+                facts.dz_dx.bitcast(),
+                facts.dz_dy.bitcast(),
+                pack(first_x - facts.x[0], first_y - facts.y[0]),
+            ]);
+            (!coverage.simd_eq(0)).to_bitmask()
+        },
+    )
+}
+
+#[inline(never)]
+fn mid_records<S: Simd>(s: S, facts: &Facts<S>, out: &mut [[u32; 16]; 16]) {
+    s.vectorize(
+        #[inline(always)]
+        || {
+            let [id, columns, rows, z0, dz_dx, dz_dy] = facts.head();
+            let (x, y) = facts.first_sample();
+            *out = transpose16([
+                id,
+                columns,
+                rows,
+                z0,
+                dz_dx,
+                dz_dy,
+                (x - facts.x[0]).bitcast(),
+                (y - facts.y[0]).bitcast(),
+                facts.edges[0].at(x, y).bitcast(),
+                facts.edges[1].at(x, y).bitcast(),
+                facts.edges[2].at(x, y).bitcast(),
+                facts.edges[0].steps(),
+                facts.edges[1].steps(),
+                facts.edges[2].steps(),
+                facts.nearest(),
+                u32x16::splat(s, 0),
+            ]);
+        },
+    );
+}
+
+#[inline(never)]
+fn large_records<S: Simd>(s: S, facts: &Facts<S>, out: &mut [[u32; 16]; 16]) {
+    s.vectorize(
+        #[inline(always)]
+        || {
+            let [id, columns, rows, z0, dz_dx, dz_dy] = facts.head();
+            let (one, none) = (i32x16::splat(s, 1), i32x16::splat(s, 0));
+            let rule = facts.edges[0].is_top_left().select(one, none)
+                | facts.edges[1].is_top_left().select(one << 1, none)
+                | facts.edges[2].is_top_left().select(one << 2, none);
+            *out = transpose16([
+                id,
+                columns,
+                rows,
+                z0,
+                dz_dx,
+                dz_dy,
+                facts.x[0].bitcast(),
+                facts.y[0].bitcast(),
+                facts.x[1].bitcast(),
+                facts.y[1].bitcast(),
+                facts.x[2].bitcast(),
+                facts.y[2].bitcast(),
+                facts.nearest(),
+                rule.bitcast(),
+                facts.z[1].bitcast(),
+                facts.z[2].bitcast(),
+            ]);
+        },
+    );
 }
 
 /// Twice the signed area, rounded once to f32, which keeps its sign and whether it is 0. i32 holds it for all but large triangles.
@@ -393,15 +478,10 @@ impl<S: Simd> Edge<S> {
 
 /// Coverage of the 4 x 4 samples from (column0, row0) on: bit 4 j + i is sample (i, j).
 #[inline(always)]
-fn small_coverage<S: Simd>(
-    s: S,
-    edges: &[Edge<S>; 3],
-    column0: i32x16<S>,
-    row0: i32x16<S>,
-    columns: i32x16<S>,
-    rows: i32x16<S>,
-) -> i32x16<S> {
-    let (x, y) = ((column0 << 8) + HALF_PIXEL, (row0 << 8) + HALF_PIXEL);
+fn small_coverage<S: Simd>(s: S, facts: &Facts<S>) -> i32x16<S> {
+    let Facts { edges, column0, row0, .. } = facts;
+    let (columns, rows) = (facts.column1 - *column0, facts.row1 - *row0);
+    let (x, y) = ((*column0 << 8) + HALF_PIXEL, (*row0 << 8) + HALF_PIXEL);
     let [mut e0, mut e1, mut e2] = [edges[0].at(x, y), edges[1].at(x, y), edges[2].at(x, y)];
     let mut outside = i32x16::splat(s, 0);
     let mut j = 0;

@@ -201,3 +201,72 @@ impl<L: Lanes, V, K> Deref for Frag<L, V, K> {
         &self.parts.varyings
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::lanes::conformance::levels;
+    use crate::lanes::{Packet, Scalar};
+    use crate::math::Vec2;
+    use fearless_simd::dispatch;
+
+    enum Anything {}
+
+    impl Shader for Anything {
+        type Vertex = ();
+        type Varyings<M: Lanes> = Vec2<M>;
+        const DERIVATIVES: bool = true;
+        const DISCARDS: bool = true;
+        const ADD_THE_ATTRIBUTE_shader_TO_THIS_IMPL: () = ();
+        fn vertex(&self, (): &()) -> (crate::math::Vec4, Vec2) {
+            Default::default()
+        }
+        fn fragment<M: Lanes>(&self, f: &mut Fragment<M, Self>) -> crate::math::Rgba<M> {
+            crate::math::Rgba::gray(f.x)
+        }
+    }
+
+    /// Fragments whose varyings are (lane, 1), all but the last lane covered.
+    #[inline(always)]
+    fn fragments<L: Lanes>(lanes: L) -> Fragment<L, Anything> {
+        let lane = Real(lanes.iota());
+        let constant = |x: f32| Real::<L>::new(lanes, x);
+        Frag::new(FragParts {
+            varyings: Vec2::new(lane, constant(1.0)),
+            dx: Vec2::new(constant(2.0), constant(3.0)),
+            dy: Vec2::new(constant(4.0), constant(5.0)),
+            x: lane + 0.5,
+            y: constant(6.5),
+            z: constant(0.25),
+            front_facing: lane.lt(4.0),
+            alive: Bool(lanes.mask(0x7fff)),
+        })
+    }
+
+    #[inline(always)]
+    fn check<L: Lanes>(lanes: L) {
+        let all = u32::MAX >> (32 - L::N);
+        let holds = |mask: Bool<L>| L::mask_bits(mask.0) == all;
+        let mut f = fragments(lanes);
+        assert!(holds(f.x.eq(Real(lanes.iota()))), "derefs to the varyings");
+        assert!(holds(f.varyings().y.eq(1.0)));
+        assert!(holds(f.x().eq(f.x + 0.5) & f.y().eq(6.5) & f.z().eq(0.25)));
+        assert!(holds(f.dx().x.eq(2.0) & f.dx().y.eq(3.0) & f.dy().x.eq(4.0) & f.dy().y.eq(5.0)));
+        assert_eq!(L::mask_bits(f.front_facing().0), 0xf & all);
+        assert!(holds(f.splat(7.0).eq(7.0) & f.splat([7.0, 8.0]).y.eq(8.0)));
+
+        assert_eq!(L::mask_bits(f.alive().0), 0x7fff & all);
+        f.discard(f.x.lt(1.0));
+        assert_eq!(L::mask_bits(f.alive().0), 0x7ffe & all);
+        f.discard(f.x.gt(13.0));
+        assert_eq!(L::mask_bits(f.alive().0), 0x3ffe & all, "what is discarded stays discarded");
+    }
+
+    #[test]
+    fn fragments_hand_out_their_parts_and_drop_what_is_discarded() {
+        check(Scalar);
+        for level in levels() {
+            dispatch!(level, simd => check(Packet(simd)));
+        }
+    }
+}

@@ -1,4 +1,4 @@
-//! Filling a packet: sixteen fragments of a block, of one triangle or of several, with everything that a fragment stage receives.
+//! Interpolation: sixteen fragments of a block, of one triangle or of several, get their varyings.
 //!
 //! A packet is never split by triangle: that would run the fragment stage several times for a handful of pixels each. Its weights and
 //! its vertices' varyings are put together first, in one of three ways, and from there on the way no longer matters:
@@ -9,14 +9,16 @@
 //!
 //! A varying is `(f0 + b1 (f1 - f0)) + b2 (f2 - f0)`, in canonical order of the vertices. What is the same at all three vertices stays
 //! exactly that.
+//!
+//! Nothing here knows the shader's types: varyings are rows of numbers, so that this is compiled once for each SIMD level, and not again for
+//! every shader.
 
+use super::packet::{PacketRows, VaryingLayout};
 use super::run::{RECORD_HEADER, RunView, record_words};
 use super::weights::{Weights, of_clipped, of_lanes, of_triangle};
-use super::{FragParts, Interpolation, MAX_VARYINGS, Varyings};
+use super::Interpolation;
 use crate::geometry::raster_space::{HALF_PIXEL, SUBPIXELS};
-use crate::lanes::Packet;
-use crate::math::{Bool, Real};
-use crate::raster::triangle_id::{CLIPPED_CLOCKWISE, ORDER_BITS, TriangleId};
+use crate::raster::triangle_id::TriangleId;
 use crate::tile::view::BlockLanes;
 use crate::transpose::columns4;
 use fearless_simd::{Simd, f32x16, i32x16, mask32x16, prelude::*, u32x4, u32x16};
@@ -34,8 +36,6 @@ pub(crate) struct Fragments<'a> {
     /// The block's first pixel.
     pub(crate) x: i32,
     pub(crate) y: i32,
-    /// Depths, as bits.
-    pub(crate) depth: &'a [i32; 16],
 }
 
 /// The different triangles of a packet, up to sixteen.
@@ -53,58 +53,30 @@ struct Corner3<S: Simd> {
     d2: f32x16<S>,
 }
 
-/// Interpolates all varyings of a packet.
+/// Interpolates all varyings of a packet into its rows.
 #[inline(always)]
-pub(crate) fn interpolate<S: Simd, V: Varyings<Packet<S>>, const DERIVATIVES: bool>(
+pub(crate) fn interpolate<S: Simd>(
     s: S,
     run: &RunView<'_>,
     position: &dyn Fn(usize) -> [f32; 4],
+    layout: &VaryingLayout,
     fragments: &Fragments<'_>,
-) -> FragParts<Packet<S>, V> {
+    rows: &mut PacketRows<'_>,
+) {
     let lanes = BlockLanes::new(s);
     let ids = u32x16::simd_from(s, *fragments.ids);
     let first = fragments.ids[fragments.mask.trailing_zeros() as usize & 15];
     let rest = fragments.mask & !(ids.simd_eq(first).to_bitmask() as u32);
-    let mut values = Values::new(s);
     if rest == 0 {
-        one::<S, V, DERIVATIVES>(s, run, position, fragments, TriangleId(first), &lanes, &mut values);
+        let distinct = Distinct { count: 1, ids: [first; 16], masks: [fragments.mask; 16] };
+        few(s, run, position, layout, fragments, &distinct, &lanes, rows);
+        return;
+    }
+    let distinct = distinct(ids, fragments, first);
+    if distinct.count <= FEW || has_clipped(&distinct) {
+        few(s, run, position, layout, fragments, &distinct, &lanes, rows);
     } else {
-        let distinct = distinct(s, ids, fragments, first);
-        if distinct.count <= FEW || has_clipped(&distinct) {
-            few::<S, V, DERIVATIVES>(s, run, position, fragments, &distinct, &lanes, &mut values);
-        } else {
-            many::<S, V, DERIVATIVES>(s, run, fragments, first, &lanes, &mut values);
-        }
-    }
-    let code: i32x16<S> = (ids & ((1 << ORDER_BITS) - 1)).bitcast();
-    let clockwise = code.simd_lt(3) | code.simd_eq(CLIPPED_CLOCKWISE as i32);
-    let front_facing = if run.front_is_clockwise { clockwise } else { !clockwise };
-    let x = lanes.x + (fragments.x as f32 + 0.5);
-    let y = lanes.y + (fragments.y as f32 + 0.5);
-    FragParts {
-        varyings: V::read(&values.here),
-        dx: V::read(&values.dx),
-        dy: V::read(&values.dy),
-        x: Real(x),
-        y: Real(y),
-        z: Real(i32x16::simd_from(s, *fragments.depth).bitcast()),
-        front_facing: Bool(front_facing),
-        alive: Bool(mask32x16::from_bitmask(s, u64::from(fragments.mask))),
-    }
-}
-
-/// The varyings of a packet and their derivatives.
-struct Values<S: Simd> {
-    here: [Real<Packet<S>>; MAX_VARYINGS],
-    dx: [Real<Packet<S>>; MAX_VARYINGS],
-    dy: [Real<Packet<S>>; MAX_VARYINGS],
-}
-
-impl<S: Simd> Values<S> {
-    #[inline(always)]
-    fn new(s: S) -> Self {
-        let zero = Real(f32x16::splat(s, 0.0));
-        Self { here: [zero; MAX_VARYINGS], dx: [zero; MAX_VARYINGS], dy: [zero; MAX_VARYINGS] }
+        many(s, run, layout, fragments, first, &lanes, rows);
     }
 }
 
@@ -119,12 +91,18 @@ struct Barycentric<S: Simd> {
 
 impl<S: Simd> Barycentric<S> {
     #[inline(always)]
-    fn new<const DERIVATIVES: bool>(s: S, weights: &[f32x16<S>; 3], dx: &[f32x16<S>; 3], dy: &[f32x16<S>; 3]) -> Self {
+    fn new(
+        s: S,
+        weights: &[f32x16<S>; 3],
+        dx: &[f32x16<S>; 3],
+        dy: &[f32x16<S>; 3],
+        derivatives: bool,
+    ) -> Self {
         let sum = (weights[0] + weights[1]) + weights[2];
         let scale = f32x16::splat(s, 1.0) / sum;
         let (b1, b2) = (weights[1] * scale, weights[2] * scale);
         let mut this = Self { b1, b2, dx: [b1, b2], dy: [b1, b2] };
-        if DERIVATIVES {
+        if derivatives {
             // Of a quotient: (n / d)' = (n' - (n / d) d') / d.
             let (sum_dx, sum_dy) = ((dx[0] + dx[1]) + dx[2], (dy[0] + dy[1]) + dy[2]);
             this.dx = [(dx[1] - b1 * sum_dx) * scale, (dx[2] - b2 * sum_dx) * scale];
@@ -134,7 +112,7 @@ impl<S: Simd> Barycentric<S> {
     }
 }
 
-/// Both kinds of barycentric coordinates; what no varying asks for is never computed.
+/// Both kinds of barycentric coordinates; the second only if a varying asks for it.
 struct Both<S: Simd> {
     perspective: Barycentric<S>,
     linear: Barycentric<S>,
@@ -142,11 +120,11 @@ struct Both<S: Simd> {
 
 impl<S: Simd> Both<S> {
     #[inline(always)]
-    fn new<V: Varyings<Packet<S>>, const DERIVATIVES: bool>(s: S, weights: &Weights<S>) -> Self {
-        let perspective = Barycentric::new::<DERIVATIVES>(s, &weights.perspective, &weights.dx, &weights.dy);
-        let linear = if has::<V, S>(Interpolation::NoPerspective) {
-            // On the screen the weights are linear in x and y; one pixel's difference is the derivative.
-            Barycentric::new::<DERIVATIVES>(s, &weights.linear, &weights.linear_dx, &weights.linear_dy)
+    fn new(s: S, weights: &Weights<S>, layout: &VaryingLayout) -> Self {
+        let derivatives = layout.derivatives;
+        let perspective = Barycentric::new(s, &weights.perspective, &weights.dx, &weights.dy, derivatives);
+        let linear = if layout.has_linear {
+            Barycentric::new(s, &weights.linear, &weights.linear_dx, &weights.linear_dy, derivatives)
         } else {
             perspective
         };
@@ -155,34 +133,21 @@ impl<S: Simd> Both<S> {
 
     /// Varying `k` and its derivatives, from its values at the vertices.
     #[inline(always)]
-    fn set<V: Varyings<Packet<S>>, const DERIVATIVES: bool>(&self, values: &mut Values<S>, k: usize, f: Corner3<S>) {
-        let b = match V::INTERPOLATION[k] {
+    fn set(&self, layout: &VaryingLayout, rows: &mut PacketRows<'_>, k: usize, f: Corner3<S>) {
+        let b = match layout.interpolation[k] {
             Interpolation::Flat => {
-                values.here[k] = Real(f.f0);
+                rows.here[k] = f.f0.into();
                 return;
             }
             Interpolation::Perspective => &self.perspective,
             Interpolation::NoPerspective => &self.linear,
         };
-        values.here[k] = Real((f.f0 + b.b1 * f.d1) + b.b2 * f.d2);
-        if DERIVATIVES {
-            values.dx[k] = Real(b.dx[0] * f.d1 + b.dx[1] * f.d2);
-            values.dy[k] = Real(b.dy[0] * f.d1 + b.dy[1] * f.d2);
+        rows.here[k] = ((f.f0 + b.b1 * f.d1) + b.b2 * f.d2).into();
+        if layout.derivatives {
+            rows.dx[k] = (b.dx[0] * f.d1 + b.dx[1] * f.d2).into();
+            rows.dy[k] = (b.dy[0] * f.d1 + b.dy[1] * f.d2).into();
         }
     }
-}
-
-/// Whether any of the varyings is interpolated in this way.
-#[inline(always)]
-fn has<V: Varyings<Packet<S>>, S: Simd>(interpolation: Interpolation) -> bool {
-    let mut k = 0;
-    while k < V::LEN {
-        if V::INTERPOLATION[k] as u8 == interpolation as u8 {
-            return true;
-        }
-        k += 1;
-    }
-    false
 }
 
 /// The weights of one triangle, the places of its vertices in their order, and the provoking vertex's.
@@ -207,37 +172,10 @@ fn triangle<S: Simd>(
     (weights, [places[0], places[1], places[2], run.places(id)[0]])
 }
 
-#[inline(always)]
-fn one<S: Simd, V: Varyings<Packet<S>>, const DERIVATIVES: bool>(
-    s: S,
-    run: &RunView<'_>,
-    position: &dyn Fn(usize) -> [f32; 4],
-    fragments: &Fragments<'_>,
-    id: TriangleId,
-    lanes: &BlockLanes<S>,
-    values: &mut Values<S>,
-) {
-    let words = record_words(V::LEN);
-    let (weights, places) = triangle(s, run, position, fragments, id, words, lanes);
-    let both = Both::new::<V, DERIVATIVES>(s, &weights);
-    let mut k = 0;
-    while k < V::LEN {
-        let [f0, d1, d2] = vertex_values::<S, V>(run, words, &places, k);
-        let corner = Corner3 { f0: f32x16::splat(s, f0), d1: f32x16::splat(s, d1), d2: f32x16::splat(s, d2) };
-        both.set::<V, DERIVATIVES>(values, k, corner);
-        k += 1;
-    }
-}
-
 /// Varying `k` at the first vertex and by how much the others exceed it; of a flat one, at the provoking vertex.
 #[inline(always)]
-fn vertex_values<S: Simd, V: Varyings<Packet<S>>>(
-    run: &RunView<'_>,
-    words: usize,
-    places: &[usize; 4],
-    k: usize,
-) -> [f32; 3] {
-    if V::INTERPOLATION[k] as u8 == Interpolation::Flat as u8 {
+fn vertex_values(run: &RunView<'_>, words: usize, places: &[usize; 4], k: usize, is_flat: bool) -> [f32; 3] {
+    if is_flat {
         return [word(run, words, places[3], k), 0.0, 0.0];
     }
     let f0 = word(run, words, places[0], k);
@@ -250,8 +188,7 @@ fn word(run: &RunView<'_>, words: usize, place: usize, k: usize) -> f32 {
 }
 
 #[inline(always)]
-fn distinct<S: Simd>(s: S, ids: u32x16<S>, fragments: &Fragments<'_>, first: u32) -> Distinct {
-    let _ = s;
+fn distinct<S: Simd>(ids: u32x16<S>, fragments: &Fragments<'_>, first: u32) -> Distinct {
     let mut distinct = Distinct { count: 0, ids: [first; 16], masks: [0; 16] };
     let mut rest = fragments.mask;
     while rest != 0 {
@@ -277,17 +214,20 @@ fn has_clipped(distinct: &Distinct) -> bool {
 }
 
 #[inline(always)]
-fn few<S: Simd, V: Varyings<Packet<S>>, const DERIVATIVES: bool>(
+#[expect(clippy::too_many_arguments, reason = "inlined")]
+fn few<S: Simd>(
     s: S,
     run: &RunView<'_>,
     position: &dyn Fn(usize) -> [f32; 4],
+    layout: &VaryingLayout,
     fragments: &Fragments<'_>,
     distinct: &Distinct,
     lanes: &BlockLanes<S>,
-    values: &mut Values<S>,
+    rows: &mut PacketRows<'_>,
 ) {
-    let words = record_words(V::LEN);
+    let words = record_words(layout.interpolation.len());
     let mut places = [[0; 4]; 16];
+    let mut masks = [mask32x16::splat(s, true); 16];
     let mut weights;
     (weights, places[0]) = triangle(s, run, position, fragments, TriangleId(distinct.ids[0]), words, lanes);
     let mut t = 1;
@@ -295,39 +235,43 @@ fn few<S: Simd, V: Varyings<Packet<S>>, const DERIVATIVES: bool>(
         let id = TriangleId(distinct.ids[t & 15]);
         let (next, next_places) = triangle(s, run, position, fragments, id, words, lanes);
         places[t & 15] = next_places;
-        let mask = mask32x16::from_bitmask(s, u64::from(distinct.masks[t & 15]));
-        weights.select::<DERIVATIVES>(mask, &next);
+        masks[t & 15] = mask32x16::from_bitmask(s, u64::from(distinct.masks[t & 15]));
+        weights.select(masks[t & 15], &next, layout.derivatives);
         t += 1;
     }
-    let both = Both::new::<V, DERIVATIVES>(s, &weights);
+    let both = Both::new(s, &weights, layout);
     let mut k = 0;
-    while k < V::LEN {
-        let [f0, d1, d2] = vertex_values::<S, V>(run, words, &places[0], k);
-        let mut corner = Corner3 { f0: f32x16::splat(s, f0), d1: f32x16::splat(s, d1), d2: f32x16::splat(s, d2) };
+    while k < layout.interpolation.len() {
+        let is_flat = layout.interpolation[k] == Interpolation::Flat;
+        let [f0, d1, d2] = vertex_values(run, words, &places[0], k, is_flat);
+        let mut corner =
+            Corner3 { f0: f32x16::splat(s, f0), d1: f32x16::splat(s, d1), d2: f32x16::splat(s, d2) };
         let mut t = 1;
         while t < distinct.count {
-            let mask = mask32x16::from_bitmask(s, u64::from(distinct.masks[t & 15]));
-            let [f0, d1, d2] = vertex_values::<S, V>(run, words, &places[t & 15], k);
+            let mask = masks[t & 15];
+            let [f0, d1, d2] = vertex_values(run, words, &places[t & 15], k, is_flat);
             corner.f0 = mask.select(f32x16::splat(s, f0), corner.f0);
             corner.d1 = mask.select(f32x16::splat(s, d1), corner.d1);
             corner.d2 = mask.select(f32x16::splat(s, d2), corner.d2);
             t += 1;
         }
-        both.set::<V, DERIVATIVES>(values, k, corner);
+        both.set(layout, rows, k, corner);
         k += 1;
     }
 }
 
 #[inline(always)]
-fn many<S: Simd, V: Varyings<Packet<S>>, const DERIVATIVES: bool>(
+fn many<S: Simd>(
     s: S,
     run: &RunView<'_>,
+    layout: &VaryingLayout,
     fragments: &Fragments<'_>,
     first: u32,
     lanes: &BlockLanes<S>,
-    values: &mut Values<S>,
+    rows: &mut PacketRows<'_>,
 ) {
-    let words = record_words(V::LEN);
+    let varyings = layout.interpolation.len();
+    let words = record_words(varyings);
     let mut places = [[0; 16]; 3];
     let mut provoking = [0; 16];
     let mut lane = 0;
@@ -339,36 +283,32 @@ fn many<S: Simd, V: Varyings<Packet<S>>, const DERIVATIVES: bool>(
         lane += 1;
     }
     // The first row of each record holds x, y, 1 / w and the first varying.
-    let rows = [row(s, run, &places[0], 0), row(s, run, &places[1], 0), row(s, run, &places[2], 0)];
+    let (mut a, mut b, mut c) =
+        (row(s, run, &places[0], 0), row(s, run, &places[1], 0), row(s, run, &places[2], 0));
     let x = (lanes.column << 8) + (fragments.x * SUBPIXELS + HALF_PIXEL);
     let y = (lanes.row << 8) + (fragments.y * SUBPIXELS + HALF_PIXEL);
-    let [a, b, c] = rows;
     let vx = [a[0].bitcast::<i32x16<S>>() - x, b[0].bitcast::<i32x16<S>>() - x, c[0].bitcast::<i32x16<S>>() - x];
     let vy = [a[1].bitcast::<i32x16<S>>() - y, b[1].bitcast::<i32x16<S>>() - y, c[1].bitcast::<i32x16<S>>() - y];
     let weights = of_lanes(vx, vy, [a[2].bitcast(), b[2].bitcast(), c[2].bitcast()]);
-    let both = Both::new::<V, DERIVATIVES>(s, &weights);
-    let has_flat = has::<V, S>(Interpolation::Flat);
+    let both = Both::new(s, &weights, layout);
     let mut first_word = 0;
     while first_word < words {
-        let (a, b, c) = if first_word == 0 {
-            (rows[0], rows[1], rows[2])
-        } else {
-            (
-                row(s, run, &places[0], first_word),
-                row(s, run, &places[1], first_word),
-                row(s, run, &places[2], first_word),
-            )
-        };
-        let p = if has_flat { row(s, run, &provoking, first_word) } else { a };
+        if first_word != 0 {
+            a = row(s, run, &places[0], first_word);
+            b = row(s, run, &places[1], first_word);
+            c = row(s, run, &places[2], first_word);
+        }
+        let p = if layout.has_flat { row(s, run, &provoking, first_word) } else { a };
         let mut i = 0;
         while i < 4 {
             // Words before the varyings, or behind the last.
             let k = (first_word + i).wrapping_sub(RECORD_HEADER);
-            if k < V::LEN {
-                let is_flat = V::INTERPOLATION[k] as u8 == Interpolation::Flat as u8;
+            if k < varyings {
+                let is_flat = layout.interpolation[k] == Interpolation::Flat;
                 let f0: f32x16<S> = if is_flat { p[i].bitcast() } else { a[i].bitcast() };
-                let corner = Corner3 { f0, d1: b[i].bitcast::<f32x16<S>>() - f0, d2: c[i].bitcast::<f32x16<S>>() - f0 };
-                both.set::<V, DERIVATIVES>(values, k, corner);
+                let corner =
+                    Corner3 { f0, d1: b[i].bitcast::<f32x16<S>>() - f0, d2: c[i].bitcast::<f32x16<S>>() - f0 };
+                both.set(layout, rows, k, corner);
             }
             i += 1;
         }

@@ -1,16 +1,15 @@
-//! The fragment stage: packets in, colours of the tile out.
+//! From covered or visible samples to colours in the tile: interpolation, the user's fragment stage, blending.
 
 use super::blend::blend;
 use super::interpolate::{Fragments, interpolate};
+use super::packet::{BATCH, PacketBatch, PacketState, VaryingLayout};
 use super::run::RunView;
-use super::{Frag, FragmentStage};
-use crate::lanes::Packet;
-use crate::pass::{Blend, DepthState};
-use crate::target::format::TileColor;
+use crate::pass::draw_call::DrawCall;
+use crate::target::format::{Channels, TileColor};
 use crate::tile::Tile;
 use crate::tile::sink::{AnyCompare, DepthTest};
 use crate::tile::view::TileView;
-use fearless_simd::{Simd, i32x16, mask32x16, prelude::*, u32x16};
+use fearless_simd::{Level, Simd, f32x16, i32x16, mask32x16, prelude::*, u32x16};
 
 /// The samples of a block that show triangles of one draw.
 #[derive(Clone, Copy, Debug)]
@@ -29,119 +28,128 @@ pub(crate) struct OrderedPacket {
     pub(crate) mask: u32,
 }
 
-/// What is to be shaded.
-#[derive(Clone, Copy, Debug)]
-pub(crate) enum Packets<'a> {
-    /// What the visibility buffer shows: each sample once.
-    Visible(&'a [VisiblePacket]),
-    /// Triangle by triangle, in submission order.
-    Ordered(&'a [OrderedPacket], OrderedState),
-}
-
-/// How the fragments of an ordered draw meet the tile.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct OrderedState {
-    pub(crate) depth: DepthState,
-    pub(crate) blend: Blend,
-}
-
-/// The tile that is shaded.
-pub(crate) struct ShadedTile<'a> {
+/// A draw, its run's vertices, and the tile that is shaded.
+pub(crate) struct Shading<'a> {
+    pub(crate) level: Level,
+    pub(crate) call: &'a dyn DrawCall,
+    pub(crate) run: &'a RunView<'a>,
     pub(crate) view: &'a TileView,
     pub(crate) tile: &'a mut Tile,
     pub(crate) color: &'a mut TileColor,
+    pub(crate) batch: &'a mut PacketBatch,
 }
 
-/// Runs the fragment stage over packets.
+/// Shades what the visibility buffer shows: each sample once.
 #[inline(always)]
-pub(crate) fn shade<S: Simd, St: FragmentStage<Packet<S>>>(
-    s: S,
-    stage: &St,
-    run: &RunView<'_>,
-    position: &dyn Fn(usize) -> [f32; 4],
-    packets: Packets<'_>,
-    target: &mut ShadedTile<'_>,
-) {
-    match packets {
-        Packets::Visible(packets) => visible(s, stage, run, position, packets, target),
-        Packets::Ordered(packets, state) => ordered(s, stage, run, position, packets, state, target),
+pub(crate) fn shade_visible<S: Simd>(s: S, shading: &mut Shading<'_>, packets: &[VisiblePacket]) {
+    let layout = shading.call.layout();
+    let mut first = 0;
+    while first < packets.len() {
+        let last = (first + BATCH).min(packets.len());
+        shading.batch.start(&layout, shading.run.front_is_clockwise);
+        let mut i = first;
+        while i < last {
+            let VisiblePacket { block, mask } = packets[i];
+            let (ids, depth) = (shading.tile.id[block as usize], shading.tile.depth[block as usize]);
+            add(s, shading, &layout, block, mask, ids, depth);
+            i += 1;
+        }
+        shading.call.run_fragments(shading.level, shading.batch);
+        let mut i = 0;
+        while i < shading.batch.packets.len() {
+            let packet = &shading.batch.packets[i];
+            let alive = mask32x16::from_bitmask(s, u64::from(packet.alive));
+            shading.color.store(s, packet.block as usize, alive, channels(s, packet));
+            i += 1;
+        }
+        first = last;
+    }
+}
+
+/// Shades covered samples in submission order, with depth test and blending.
+#[inline(always)]
+pub(crate) fn shade_in_order<S: Simd>(s: S, shading: &mut Shading<'_>, packets: &[OrderedPacket]) {
+    let layout = shading.call.layout();
+    let mut first = 0;
+    while first < packets.len() {
+        shading.batch.start(&layout, shading.run.front_is_clockwise);
+        let mut next = first;
+        while next < packets.len() && shading.batch.packets.len() < BATCH {
+            let packet = &packets[next];
+            // What an earlier packet of the batch is about to change must not be tested yet.
+            if contains(shading.batch, packet.block) {
+                break;
+            }
+            let there = i32x16::simd_from(s, shading.tile.depth[packet.block as usize]);
+            let covered = mask32x16::from_bitmask(s, u64::from(packet.mask));
+            let test = AnyCompare(shading.call.state().depth.compare);
+            let mask = (covered & test.passes(s, i32x16::simd_from(s, packet.depth), there)).to_bitmask() as u32;
+            if mask != 0 {
+                add(s, shading, &layout, packet.block, mask, [packet.id; 16], packet.depth);
+            }
+            next += 1;
+        }
+        shading.call.run_fragments(shading.level, shading.batch);
+        merge(s, shading);
+        first = next;
     }
 }
 
 #[inline(always)]
-fn visible<S: Simd, St: FragmentStage<Packet<S>>>(
-    s: S,
-    stage: &St,
-    run: &RunView<'_>,
-    position: &dyn Fn(usize) -> [f32; 4],
-    packets: &[VisiblePacket],
-    target: &mut ShadedTile<'_>,
-) {
-    let mut i = 0;
-    while i < packets.len() {
-        let VisiblePacket { block, mask } = packets[i];
-        let block = block as usize;
-        let (x, y) = target.view.pixel_of(block);
-        let fragments = Fragments { ids: &target.tile.id[block], mask, x, y, depth: &target.tile.depth[block] };
-        let (color, alive) = fragment(s, stage, run, position, &fragments);
-        target.color.store(s, block, alive, color);
-        i += 1;
+fn contains(batch: &PacketBatch, block: u32) -> bool {
+    let mut found = false;
+    let mut k = 0;
+    while k < batch.packets.len() {
+        found |= batch.packets[k].block == block;
+        k += 1;
     }
+    found
 }
 
+/// Appends a packet to the batch, interpolated.
 #[inline(always)]
-fn ordered<S: Simd, St: FragmentStage<Packet<S>>>(
+fn add<S: Simd>(
     s: S,
-    stage: &St,
-    run: &RunView<'_>,
-    position: &dyn Fn(usize) -> [f32; 4],
-    packets: &[OrderedPacket],
-    state: OrderedState,
-    target: &mut ShadedTile<'_>,
+    shading: &mut Shading<'_>,
+    layout: &VaryingLayout,
+    block: u32,
+    mask: u32,
+    ids: [u32; 16],
+    depth: [i32; 16],
 ) {
-    let test = AnyCompare(state.depth.compare);
+    let (x, y) = shading.view.pixel_of(block as usize);
+    let at = shading.batch.packets.len();
+    let call = shading.call;
+    let fragments = Fragments { ids: &ids, mask, x, y };
+    let mut rows = shading.batch.rows(at);
+    interpolate(s, shading.run, &|vertex| call.position(vertex), layout, &fragments, &mut rows);
+    shading.batch.packets.push(PacketState { depth, ids, block, x, y, alive: mask, ..PacketState::default() });
+}
+
+/// Brings the colours of a batch of ordered packets into the tile.
+#[inline(always)]
+fn merge<S: Simd>(s: S, shading: &mut Shading<'_>) {
+    let state = shading.call.state();
     let mut i = 0;
-    while i < packets.len() {
-        let packet = &packets[i];
-        i += 1;
+    while i < shading.batch.packets.len() {
+        let packet = &shading.batch.packets[i];
         let block = packet.block as usize;
-        let depth = i32x16::simd_from(s, packet.depth);
-        let there = i32x16::simd_from(s, target.tile.depth[block]);
-        let covered = mask32x16::from_bitmask(s, u64::from(packet.mask));
-        let mask = (covered & test.passes(s, depth, there)).to_bitmask() as u32;
-        if mask == 0 {
-            continue;
-        }
-        let (x, y) = target.view.pixel_of(block);
-        let fragments = Fragments { ids: &[packet.id; 16], mask, x, y, depth: &packet.depth };
-        let (color, alive) = fragment(s, stage, run, position, &fragments);
+        let alive = mask32x16::from_bitmask(s, u64::from(packet.alive));
         if state.depth.write {
-            target.tile.depth[block] = alive.select(depth, there).into();
+            let there = &mut shading.tile.depth[block];
+            *there = alive.select(i32x16::simd_from(s, packet.depth), i32x16::simd_from(s, *there)).into();
         }
-        let color = blend(s, state.blend, color, target.color.load(s, block));
-        target.color.store(s, block, alive, color);
-        if let Some(shown) = target.tile.shown.get_mut(block) {
-            let there = u32x16::simd_from(s, *shown);
-            *shown = alive.select(u32x16::splat(s, packet.id), there).into();
+        let color = blend(s, state.blend, channels(s, packet), shading.color.load(s, block));
+        shading.color.store(s, block, alive, color);
+        if let Some(shown) = shading.tile.shown.get_mut(block) {
+            *shown = alive.select(u32x16::simd_from(s, packet.ids), u32x16::simd_from(s, *shown)).into();
         }
+        i += 1;
     }
 }
 
-/// One packet: interpolation, then the user's stage. The colours, and the lanes whose colour counts.
 #[inline(always)]
-fn fragment<S: Simd, St: FragmentStage<Packet<S>>>(
-    s: S,
-    stage: &St,
-    run: &RunView<'_>,
-    position: &dyn Fn(usize) -> [f32; 4],
-    fragments: &Fragments<'_>,
-) -> ([fearless_simd::f32x16<S>; 4], mask32x16<S>) {
-    let parts = if St::DERIVATIVES {
-        interpolate::<S, St::V, true>(s, run, position, fragments)
-    } else {
-        interpolate::<S, St::V, false>(s, run, position, fragments)
-    };
-    let mut fragment = Frag::new(parts);
-    let color = stage.run(&mut fragment);
-    ([color.r.0, color.g.0, color.b.0, color.a.0], fragment.alive().0)
+fn channels<S: Simd>(s: S, packet: &PacketState) -> Channels<S> {
+    let [r, g, b, a] = packet.color;
+    [f32x16::simd_from(s, r), f32x16::simd_from(s, g), f32x16::simd_from(s, b), f32x16::simd_from(s, a)]
 }

@@ -52,10 +52,10 @@ pub trait Varyings<L: Lanes>: Copy {
     const LEN: usize;
     /// How each of the [`LEN`](Self::LEN) numbers is interpolated.
     const INTERPOLATION: &'static [Interpolation];
-    /// From the first [`LEN`](Self::LEN) numbers of `row`.
-    fn read(row: &[Real<L>]) -> Self;
-    /// To the first [`LEN`](Self::LEN) numbers of `row`.
-    fn write(self, row: &mut [Real<L>]);
+    /// From the first [`LEN`](Self::LEN) numbers of `rows`: all lanes of the first number, then of the second, and so on.
+    fn read(lanes: L, rows: &[f32]) -> Self;
+    /// To the first [`LEN`](Self::LEN) numbers of `rows`.
+    fn write(self, rows: &mut [f32]);
 }
 
 impl<L: Lanes> Varyings<L> for () {
@@ -63,9 +63,9 @@ impl<L: Lanes> Varyings<L> for () {
     const LEN: usize = 0;
     const INTERPOLATION: &'static [Interpolation] = &[];
     #[inline(always)]
-    fn read(_: &[Real<L>]) {}
+    fn read(_: L, _: &[f32]) {}
     #[inline(always)]
-    fn write(self, _: &mut [Real<L>]) {}
+    fn write(self, _: &mut [f32]) {}
 }
 
 impl<L: Lanes> Varyings<L> for Real<L> {
@@ -73,12 +73,12 @@ impl<L: Lanes> Varyings<L> for Real<L> {
     const LEN: usize = 1;
     const INTERPOLATION: &'static [Interpolation] = &[Interpolation::Perspective];
     #[inline(always)]
-    fn read(row: &[Self]) -> Self {
-        row[0]
+    fn read(lanes: L, rows: &[f32]) -> Self {
+        Self(lanes.load(rows))
     }
     #[inline(always)]
-    fn write(self, row: &mut [Self]) {
-        row[0] = self;
+    fn write(self, rows: &mut [f32]) {
+        L::store(self.0, rows);
     }
 }
 
@@ -89,12 +89,12 @@ macro_rules! vector_varyings {
             const LEN: usize = $n;
             const INTERPOLATION: &'static [Interpolation] = &[Interpolation::Perspective; $n];
             #[inline(always)]
-            fn read(row: &[Real<L>]) -> Self {
-                Self { $($field: row[$i]),+ }
+            fn read(lanes: L, rows: &[f32]) -> Self {
+                Self { $($field: Real::read(lanes, &rows[$i * L::N..])),+ }
             }
             #[inline(always)]
-            fn write(self, row: &mut [Real<L>]) {
-                $(row[$i] = self.$field;)+
+            fn write(self, rows: &mut [f32]) {
+                $(self.$field.write(&mut rows[$i * L::N..]);)+
             }
         }
     )+};

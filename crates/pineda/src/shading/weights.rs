@@ -56,12 +56,12 @@ impl<S: Simd> Weights<S> {
 
     /// Takes over another triangle's weights in the lanes of a mask.
     #[inline(always)]
-    pub(crate) fn select<const DERIVATIVES: bool>(&mut self, mask: mask32x16<S>, other: &Self) {
+    pub(crate) fn select(&mut self, mask: mask32x16<S>, other: &Self, derivatives: bool) {
         let mut k = 0;
         while k < 3 {
             self.perspective[k] = mask.select(other.perspective[k], self.perspective[k]);
             self.linear[k] = mask.select(other.linear[k], self.linear[k]);
-            if DERIVATIVES {
+            if derivatives {
                 self.dx[k] = mask.select(other.dx[k], self.dx[k]);
                 self.dy[k] = mask.select(other.dy[k], self.dy[k]);
                 self.linear_dx[k] = mask.select(other.linear_dx[k], self.linear_dx[k]);

@@ -11,7 +11,8 @@ use crate::raster::bins::{BinEntry, Share, TileGrid};
 use crate::raster::setup::PixelRect;
 use crate::raster::triangle_id::TriangleId;
 use crate::shading::run::RunView;
-use crate::shading::shade::{OrderedPacket, OrderedState, Packets, ShadedTile, VisiblePacket};
+use crate::shading::packet::PacketBatch;
+use crate::shading::shade::{OrderedPacket, Shading, VisiblePacket, shade_in_order, shade_visible};
 use crate::target::bands::Bands;
 use crate::target::format::{ColorFormat, TileColor};
 use fearless_simd::{Level, Simd, dispatch, f32x16, mask32x16, prelude::*, u32x16};
@@ -60,6 +61,7 @@ pub(crate) struct Painter {
     pub(crate) hits: Vec<[u32; 16]>,
     visible: Vec<(u32, VisiblePacket)>,
     packets: Vec<VisiblePacket>,
+    batch: PacketBatch,
     ordered: Vec<OrderedPacket>,
 }
 
@@ -74,6 +76,7 @@ impl Painter {
             hits: Vec::new(),
             visible: Vec::new(),
             packets: Vec::new(),
+            batch: PacketBatch::default(),
             ordered: Vec::new(),
         }
     }
@@ -178,9 +181,16 @@ impl Painter {
             let run = group[0].0 as usize;
             self.packets.clear();
             self.packets.extend(group.iter().map(|&(_, packet)| packet));
-            let call = &painting.draws[painting.batch.runs[run].draw];
-            let shaded = ShadedTile { view, tile: &mut self.tile, color: &mut self.color };
-            call.run_fragments(painting.level, &painting.runs[run], Packets::Visible(&self.packets), shaded);
+            let mut shading = Shading {
+                level: painting.level,
+                call: &*painting.draws[painting.batch.runs[run].draw],
+                run: &painting.runs[run],
+                view,
+                tile: &mut self.tile,
+                color: &mut self.color,
+                batch: &mut self.batch,
+            };
+            dispatch!(painting.level, s => shade_visible(s, &mut shading, &self.packets));
         }
     }
 
@@ -206,16 +216,21 @@ impl Painter {
         segment: &Segment,
         run: usize,
     ) {
-        let call = &painting.draws[painting.batch.runs[run].draw];
-        let (depth, blend) = (call.state().depth, call.state().blend);
-        let state = OrderedState { depth, blend };
         self.tile.bound(1.0);
         let mut work = std::mem::take(&mut self.tile.worklist);
         let mut sink = InOrder {
             packets: &mut self.ordered,
             flush: &mut |packets: &[OrderedPacket]| {
-                let shaded = ShadedTile { view, tile: &mut self.tile, color: &mut self.color };
-                call.run_fragments(painting.level, &painting.runs[run], Packets::Ordered(packets, state), shaded);
+                let mut shading = Shading {
+                    level: painting.level,
+                    call: &*painting.draws[painting.batch.runs[run].draw],
+                    run: &painting.runs[run],
+                    view,
+                    tile: &mut self.tile,
+                    color: &mut self.color,
+                    batch: &mut self.batch,
+                };
+                dispatch!(painting.level, s => shade_in_order(s, &mut shading, packets));
             },
         };
         dispatch!(painting.level, s => cover(s, share, entries, view, segment.rect.as_ref(), &mut work, &mut sink));

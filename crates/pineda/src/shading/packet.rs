@@ -1,0 +1,132 @@
+//! Packets between the stages: interpolation fills their rows, the fragment stage reads them and leaves colours, blending takes those.
+//!
+//! Only the fragment stage is compiled for each shader; so what it works on lies in memory, a batch of packets at a time.
+
+use super::{Frag, FragParts, FragmentStage, Interpolation, Varyings};
+use crate::lanes::Packet;
+use crate::math::{Bool, Real};
+use crate::raster::triangle_id::{CLIPPED_CLOCKWISE, ORDER_BITS};
+use crate::tile::view::BlockLanes;
+use fearless_simd::{Simd, i32x16, mask32x16, prelude::*, u32x16};
+
+/// Packets that go through the fragment stage at a time.
+pub(crate) const BATCH: usize = 16;
+
+/// What a shader's varyings are.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct VaryingLayout {
+    pub(crate) interpolation: &'static [Interpolation],
+    pub(crate) has_flat: bool,
+    pub(crate) has_linear: bool,
+    pub(crate) derivatives: bool,
+}
+
+impl VaryingLayout {
+    pub(crate) fn new(interpolation: &'static [Interpolation], derivatives: bool) -> Self {
+        let has = |asked| interpolation.contains(&asked);
+        let (has_flat, has_linear) = (has(Interpolation::Flat), has(Interpolation::NoPerspective));
+        Self { interpolation, has_flat, has_linear, derivatives }
+    }
+
+    /// Rows of a packet: the varyings and, if asked for, their derivatives along x and y.
+    fn rows(&self) -> usize {
+        self.interpolation.len() * if self.derivatives { 3 } else { 1 }
+    }
+}
+
+/// The rows of one packet.
+pub(crate) struct PacketRows<'a> {
+    pub(crate) here: &'a mut [[f32; 16]],
+    pub(crate) dx: &'a mut [[f32; 16]],
+    pub(crate) dy: &'a mut [[f32; 16]],
+}
+
+/// What a fragment stage gets beside the varyings, and what it leaves.
+#[derive(Clone, Copy, Debug, Default)]
+#[repr(C, align(64))]
+pub(crate) struct PacketState {
+    pub(crate) color: [[f32; 16]; 4],
+    /// Depths, as bits.
+    pub(crate) depth: [i32; 16],
+    pub(crate) ids: [u32; 16],
+    pub(crate) block: u32,
+    /// The block's first pixel.
+    pub(crate) x: i32,
+    pub(crate) y: i32,
+    /// The lanes whose colour counts; the fragment stage takes away those that it discards.
+    pub(crate) alive: u32,
+}
+
+/// Up to [`BATCH`] packets of one run.
+#[derive(Debug, Default)]
+pub(crate) struct PacketBatch {
+    pub(crate) packets: Vec<PacketState>,
+    rows: Vec<[f32; 16]>,
+    rows_each: usize,
+    derivatives: bool,
+    front_is_clockwise: bool,
+}
+
+impl PacketBatch {
+    /// Empties the batch for packets of this layout.
+    pub(crate) fn start(&mut self, layout: &VaryingLayout, front_is_clockwise: bool) {
+        self.packets.clear();
+        self.rows_each = layout.rows();
+        self.derivatives = layout.derivatives;
+        self.front_is_clockwise = front_is_clockwise;
+        let rows = BATCH * self.rows_each;
+        if self.rows.len() < rows {
+            self.rows.resize(rows, [0.0; 16]);
+        }
+    }
+
+    /// The rows of packet `k`.
+    #[inline(always)]
+    pub(crate) fn rows(&mut self, k: usize) -> PacketRows<'_> {
+        let rows = &mut self.rows[k * self.rows_each..(k + 1) * self.rows_each];
+        let each = if self.derivatives { rows.len() / 3 } else { rows.len() };
+        let (here, rest) = rows.split_at_mut(each);
+        let (dx, dy) = rest.split_at_mut(if self.derivatives { each } else { 0 });
+        PacketRows { here, dx, dy }
+    }
+
+    /// Runs a fragment stage over all packets: the only part that is compiled for each shader.
+    #[inline(always)]
+    pub(crate) fn run<S: Simd, St: FragmentStage<Packet<S>>>(&mut self, s: S, stage: &St) {
+        let lanes = BlockLanes::new(s);
+        let length = <St::V as Varyings<Packet<S>>>::LEN;
+        let mut k = 0;
+        while k < self.packets.len() {
+            let packet = &mut self.packets[k];
+            let rows = self.rows[k * self.rows_each..(k + 1) * self.rows_each].as_flattened();
+            let varyings = St::V::read(Packet(s), rows);
+            let (dx, dy) = if St::DERIVATIVES {
+                (St::V::read(Packet(s), &rows[16 * length..]), St::V::read(Packet(s), &rows[32 * length..]))
+            } else {
+                (varyings, varyings)
+            };
+            let ids = u32x16::simd_from(s, packet.ids);
+            let code: i32x16<S> = (ids & ((1 << ORDER_BITS) - 1)).bitcast();
+            let clockwise = code.simd_lt(3) | code.simd_eq(CLIPPED_CLOCKWISE as i32);
+            let mut fragment = Frag::new(FragParts {
+                varyings,
+                dx,
+                dy,
+                x: Real(lanes.x + (packet.x as f32 + 0.5)),
+                y: Real(lanes.y + (packet.y as f32 + 0.5)),
+                z: Real(i32x16::simd_from(s, packet.depth).bitcast()),
+                front_facing: Bool(if self.front_is_clockwise { clockwise } else { !clockwise }),
+                alive: Bool(mask32x16::from_bitmask(s, u64::from(packet.alive))),
+            });
+            let color = stage.run(&mut fragment);
+            color.r.0.store_slice(&mut packet.color[0]);
+            color.g.0.store_slice(&mut packet.color[1]);
+            color.b.0.store_slice(&mut packet.color[2]);
+            color.a.0.store_slice(&mut packet.color[3]);
+            if St::DISCARDS {
+                packet.alive = fragment.alive().0.to_bitmask() as u32;
+            }
+            k += 1;
+        }
+    }
+}
