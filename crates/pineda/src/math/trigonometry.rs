@@ -1,7 +1,7 @@
 //! Sine and cosine, from polynomials of our own: the same bits everywhere, as in `exponential.rs`.
 //!
 //! The angle is brought to within an eighth of a turn of 0 by subtracting a multiple of a quarter turn (Cody and
-//! Waite: the quarter turn comes in three parts, of which the first two have so few bits that their multiples are
+//! Waite: the quarter turn comes in four parts, of which the first three have so few bits that their multiples are
 //! exact), and the quadrant says which polynomial, and with which sign. The fits: `tools/minimax.py`.
 
 use super::Real;
@@ -9,16 +9,16 @@ use super::exponential::{ROUND, horner};
 use crate::lanes::Lanes;
 use core::f32::consts::FRAC_2_PI;
 
-/// π/2 in three parts of 8, 11 and 24 bits.
-const QUARTER: [f32; 3] = [1.570_312_5, 4.837_512_969_970_703e-4, 7.549_789_954_891_88e-8];
+/// π/2 in four parts: down to 2^-10, to 2^-21, to 2^-32, and 24 bits more.
+const QUARTER: [f32; 4] = [1.570_312_5, 4.835_128_8e-4, 3.138_557_1e-7, 6.077_100_6e-11];
 
 /// Angles beyond are taken for 0: there, neighbouring floats are so far apart that no digit of a sine is left to a
 /// shader, and the number of quarter turns must fit the low bits of [`ROUND`].
 const LARGEST: f32 = 1_048_576.0; // 2^20
 
 impl<L: Lanes> Real<L> {
-    /// The sine of `self` radians: to 2 ULP within ±100, and to 1e-7 within ±8192. Beyond, the error grows as the spacing
-    /// of the angles does, and beyond ±2^20 the result is 0. It is always from -1 to 1; NaN for infinities and NaN.
+    /// The sine of `self` radians, to 2.5 ULP within ±8192. Beyond, the error grows as the spacing of the angles does, and
+    /// beyond ±2^20 the result is 0. It is always from -1 to 1; NaN for infinities and NaN.
     #[inline(always)]
     pub fn sin(self) -> Self {
         self.sin_cos().0
@@ -38,7 +38,8 @@ impl<L: Lanes> Real<L> {
         let angle = self.abs().le(LARGEST).select(self, self * 0.0);
         let shifted = angle * FRAC_2_PI + ROUND;
         let quarters = shifted - ROUND;
-        let x = ((angle - quarters * QUARTER[0]) - quarters * QUARTER[1]) - quarters * QUARTER[2];
+        let x =
+            ((angle - quarters * QUARTER[0]) - quarters * QUARTER[1]) - quarters * QUARTER[2] - quarters * QUARTER[3];
 
         let z = x * x;
         let sin = x + x * z * horner!(z; -0.166_666_55, 0.008_332_178, -0.000_195_172_98);

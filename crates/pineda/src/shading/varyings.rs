@@ -24,7 +24,7 @@ pub enum Interpolation {
 /// struct of them:
 ///
 /// ```
-/// # use pineda::varyings;
+/// # use pineda::*;
 /// varyings! {
 ///     /// What a lit surface needs.
 ///     pub struct Surface {
