@@ -27,6 +27,8 @@
 //! - A [`Scene`] is a list of [`Object`]s (vertices in world space, triangles, one material each) and of [`Material`]s.
 //!   World space is right-handed with y up, as in glTF; the other formats do not say which way is up and are taken as
 //!   they are.
+//! - Colours are linear light. Vertex colours of OBJ, STL and PLY files and `Kd` of MTL files are taken for sRGB and
+//!   decoded; glTF's are linear already.
 //! - [`flat_normals`] and [`smooth_normals`] make normals where a file has none.
 //! - [`Bounds`], [`View`] and [`Framing`] put the whole of a scene into the picture.
 //! - [`demo`] is a scene built in code.

@@ -8,9 +8,9 @@ use crate::Error;
 pub struct Limits {
     /// Bytes of the file and of all files that it names. Default 2 GiB.
     pub file_bytes: u64,
-    /// Vertices of the scene. Default 2^26 (2.5 GiB).
+    /// Vertices of the scene. Default 2^26 (2.5 GiB); a quarter of that where pointers have 32 bits, as on the web.
     pub vertices: u64,
-    /// Triangles of the scene. Default 2^27 (1.5 GiB).
+    /// Triangles of the scene. Default 2^27 (1.5 GiB); a quarter of that where pointers have 32 bits.
     pub triangles: u64,
     /// Vertices, and triangles, that the file's bytes do not hold one by one: meshes that several nodes draw, accessors
     /// without data. A scene may hold this many more of either than the files have bytes. Default 2^23.
@@ -29,10 +29,11 @@ impl Limits {
 
 impl Default for Limits {
     fn default() -> Self {
+        let quarters = if usize::BITS < 64 { 1 } else { 4 };
         Self {
             file_bytes: 2 << 30,
-            vertices: 1 << 26,
-            triangles: 1 << 27,
+            vertices: quarters << 24,
+            triangles: quarters << 25,
             expanded: 1 << 23,
             objects: 1 << 19,
             nesting: 1024,

@@ -21,6 +21,8 @@ pub(super) struct Library {
 pub(super) struct Entry {
     pub(super) material: Material,
     pub(super) textures: usize,
+    /// Whether `d` has said how opaque it is: then `Tr`, which exporters disagree about, says nothing.
+    has_d: bool,
 }
 
 impl Library {
@@ -39,7 +41,7 @@ impl Library {
                     self.add(current.take());
                     let name = shown(text.rest());
                     let material = Material { name: name.as_str().into(), ..Material::default() };
-                    current = Some((name, Entry { material, textures: 0 }));
+                    current = Some((name, Entry { material, textures: 0, has_d: false }));
                 } else if let Some((_, entry)) = &mut current
                     && !statement(keyword, &mut text, entry)
                 {
@@ -75,7 +77,11 @@ fn statement(keyword: &[u8], text: &mut Text<'_>, entry: &mut Entry) -> bool {
             color[..3].copy_from_slice(&[first, second, third].map(srgb_to_linear));
             return true;
         }
-        b"d" => number(text),
+        b"d" => {
+            entry.has_d = true;
+            number(text)
+        }
+        b"tr" if entry.has_d => return true,
         b"tr" => number(text).map(|transparency| 1.0 - transparency),
         keyword => {
             entry.textures += usize::from(keyword.starts_with(b"map_"));
@@ -116,6 +122,9 @@ mod tests {
         assert_eq!(&*entry.material.name, "a");
         assert!(notes.is_empty());
         assert_eq!(only("newmtl a\nTr 0.75").0.material.base_color_factor, [1.0, 1.0, 1.0, 0.25]);
+        for both in ["newmtl a\nd 1\nTr 1", "newmtl a\nTr 1\nd 1"] {
+            assert_eq!(only(both).0.material.base_color_factor[3], 1.0);
+        }
         assert_eq!(only("newmtl a\nd -halo 0.5").0.material.base_color_factor[3], 0.5);
         assert_eq!(only("newmtl a\nKd 0").0.material.base_color_factor, [0.0, 0.0, 0.0, 1.0]);
         assert_eq!(only("newmtl a\nd 1").0.material.alpha_mode, AlphaMode::Opaque);
