@@ -1,4 +1,79 @@
-//! Placeholder.
+//! An exact, deterministic, fast CPU triangle rasterizer: vertices in, pixels out, no GPU, no driver, no display.
+//!
+//! Named after Juan Pineda, on whose edge functions (1988) it is built. Three promises, each of them tested:
+//!
+//! - **Exact.** Coverage is decided in integers, with the top-left rule: no pixel of a mesh is missed or hit twice. Neither the rotation nor
+//!   the winding of a triangle's vertices changes a bit.
+//! - **The same bytes everywhere**: on any CPU, at any SIMD level, with any number of threads and any tile size.
+//! - **Fast**: a tile of the picture at a time, sixteen lanes at a time, each visible pixel shaded once.
+//!
+//! # A first picture
+//!
+//! A *shader* says where a vertex is and what colour a fragment has; a *pass* holds draws of meshes with shaders; a *target* is a set of
+//! buffers of yours; a *renderer* draws a pass to a target.
+//!
+//! ```
+//! use pineda::*;
+//!
+//! // What the vertex stage hands to the fragment stage.
+//! varyings! { struct Gouraud { color: Vec3 } }
+//!
+//! // A shader's fields are its uniforms.
+//! struct Spin { camera: Mat4 }
+//!
+//! #[shader]
+//! impl Shader for Spin {
+//!     type Vertex = ([f32; 3], [f32; 3]);
+//!     type Varyings<L: Lanes> = Gouraud<L>;
+//!
+//!     fn vertex(&self, (position, color): &Self::Vertex) -> (Vec4, Gouraud) {
+//!         (self.camera * Vec3::from(*position).extend(1.0), Gouraud { color: (*color).into() })
+//!     }
+//!
+//!     fn fragment<L: Lanes>(&self, f: &mut Fragment<L, Self>) -> Rgba<L> {
+//!         Rgba::opaque(f.color)
+//!     }
+//! }
+//!
+//! let vertices = [
+//!     ([-0.8, -0.6, 0.0], [1.0, 0.0, 0.0]),
+//!     ([0.8, -0.6, 0.0], [0.0, 1.0, 0.0]),
+//!     ([0.0, 0.8, 0.0], [0.0, 0.0, 1.0]),
+//! ];
+//! let shader = Spin { camera: Mat4::rotation_z(0.2) };
+//! let mut pass = Pass::new();
+//! pass.draw(&shader, Mesh { vertices: &vertices, indices: Indices::Sequential }, DrawState::default());
+//!
+//! let (width, height) = (320, 240);
+//! let mut pixels = vec![[0; 4]; 320 * 240];
+//! let mut target = Target { color: ColorBuffer::Rgba8Srgb(&mut pixels), ..Target::new(width, height) };
+//! let mut renderer = Renderer::new(Settings::default())?;
+//! renderer.render(&pass, &mut target)?;
+//! # assert!(pixels.iter().any(|p| p[3] == 255));
+//! # Ok::<(), Error>(())
+//! ```
+//!
+//! The short way, with two closures, is [`Pass::draw_with`]. How shaders are written is told in [`shading`].
+//!
+//! # Spaces
+//!
+//! Positions are in clip space (x right, y up, visible where `-w <= x, y <= w` and `0 <= z <= w`), of which normalised device coordinates are the case
+//! w = 1, or in raster space: see [`Space`]. [`Mat4`] has the usual cameras.
+//!
+//! Vertices are snapped to 1/256 pixel. Triangles are clipped by the near and the far plane, and by a guard band of 32,768 pixels to each side of
+//! the target's corner: as wide as 32-bit edge functions in a tile allow. Inside it, coverage is exactly that of the snapped triangle; nothing is clipped at
+//! the picture's border.
+//!
+//! # What comes out
+//!
+//! Colour (8 bits linear or sRGB, or f32), depth, and, for those who shade elsewhere, the visibility buffer: triangle ids, draw ids, barycentric coordinates,
+//! and how often each pixel was covered. See [`Target`].
+//!
+//! # What cannot happen
+//!
+//! No mesh, number or setting makes it panic; what is wrong is an [`Error`] before anything is drawn. A triangle with a NaN or infinite position is dropped
+//! and [counted](Statistics::non_finite). Working memory is bounded whatever the number of triangles ([`Settings::memory`]). What a *shader* does is up to the
+//! shader: if it panics, so does the renderer.
 
 extern crate self as pineda;
 

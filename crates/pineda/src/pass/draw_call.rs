@@ -6,7 +6,7 @@ use crate::geometry::raster_space::ScreenVertex;
 use crate::lanes::Scalar;
 use crate::math::{Rgba, Vec4};
 use crate::shading::packet::{PacketBatch, VaryingLayout};
-use crate::shading::run::{RECORD_HEADER, Source, record_words};
+use crate::shading::run::{RECORD_HEADER, Source, record_rows};
 use crate::shading::{Closure, ClosureFragment, FragmentKind, Native, Shader, Varyings, native};
 use fearless_simd::{Level, Simd, dispatch};
 
@@ -24,9 +24,9 @@ pub(crate) trait DrawCall: Sync {
     /// Runs the fragment stage.
     fn run_fragments(&self, level: Level, batch: &mut PacketBatch);
 
-    /// Words of a vertex record.
-    fn record_words(&self) -> usize {
-        record_words(self.layout().interpolation.len())
+    /// Rows of four words of a vertex record.
+    fn record_rows(&self) -> usize {
+        record_rows(self.layout().interpolation.len())
     }
 }
 
@@ -36,7 +36,7 @@ pub(crate) struct VertexJob<'a> {
     pub(crate) first_place: usize,
     pub(crate) projection: &'a Projection,
     pub(crate) screen: &'a mut [ScreenVertex],
-    pub(crate) records: &'a mut [u32],
+    pub(crate) records: &'a mut [[u32; 4]],
 }
 
 /// A draw with a [`Shader`].
@@ -164,7 +164,7 @@ fn run_vertices<S: Simd, In, V: Varyings<Scalar>>(
     vertices: &[In],
     job: VertexJob<'_>,
 ) {
-    let words = record_words(V::LEN);
+    let rows = record_rows(V::LEN);
     let VertexJob { source, first_place, projection, screen, records } = job;
     let mut at = 0;
     while at < screen.len() {
@@ -175,7 +175,7 @@ fn run_vertices<S: Simd, In, V: Varyings<Scalar>>(
             let vertex = &vertices[source.vertex(first_place + at + k)];
             let (position, varyings) = stage.run(vertex);
             positions[k] = array(position);
-            let record = &mut records[(at + k) * words..(at + k + 1) * words];
+            let record = records[(at + k) * rows..(at + k + 1) * rows].as_flattened_mut();
             varyings.write(bytemuck::cast_slice_mut(&mut record[RECORD_HEADER..]));
             k += 1;
         }
@@ -185,7 +185,7 @@ fn run_vertices<S: Simd, In, V: Varyings<Scalar>>(
         while k < count {
             let vertex = projected[k];
             screen[at + k] = vertex;
-            let record = &mut records[(at + k) * words..(at + k + 1) * words];
+            let record = &mut records[(at + k) * rows];
             record[0] = vertex.0[0];
             record[1] = vertex.0[1];
             record[2] = vertex.0[3];

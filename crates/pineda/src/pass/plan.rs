@@ -17,8 +17,9 @@ use std::ops::Range;
 const TRIANGLE_BYTES: usize = 56;
 /// Bytes of a screen vertex.
 const SCREEN_VERTEX_BYTES: usize = 16;
-/// No batch is made smaller than this.
+/// No batch is made for less than this, and none for more: so that 32 bits can name any word of its vertex records.
 const LEAST_MEMORY: usize = 1 << 20;
+const MOST_MEMORY: usize = if usize::BITS == 32 { 1 << 31 } else { 8 << 30 };
 
 /// A stretch of one draw's triangles.
 #[derive(Clone, Debug)]
@@ -31,7 +32,7 @@ pub(crate) struct Run<'p> {
     pub(crate) first_number: usize,
     pub(crate) corners: Corners<'p>,
     pub(crate) source: Source<'p>,
-    /// Where its vertices stand in the batch's screen vertices, and their records' words.
+    /// Where its vertices stand in the batch's screen vertices, and their records' rows.
     pub(crate) screen: Range<usize>,
     pub(crate) records: Range<usize>,
     pub(crate) projection: Projection,
@@ -64,7 +65,7 @@ pub(crate) struct Batch<'p> {
     pub(crate) segments: Vec<Segment>,
     pub(crate) triangles: usize,
     pub(crate) screen_vertices: usize,
-    pub(crate) record_words: usize,
+    pub(crate) record_rows: usize,
     bytes: usize,
 }
 
@@ -76,7 +77,7 @@ pub(crate) fn plan<'p>(
     height: u32,
     memory: usize,
 ) -> Vec<Batch<'p>> {
-    let budget = memory.max(LEAST_MEMORY);
+    let budget = memory.clamp(LEAST_MEMORY, MOST_MEMORY);
     let mut batches = vec![Batch::default()];
     for (draw, extent) in extents.iter().enumerate() {
         let mut first = 0;
@@ -118,7 +119,7 @@ fn piece<'p>(
     is_fresh: bool,
 ) -> Option<Piece<'p>> {
     let call = &pass.draws[draw];
-    let vertex_bytes = SCREEN_VERTEX_BYTES + 4 * call.record_words();
+    let vertex_bytes = SCREEN_VERTEX_BYTES + 16 * call.record_rows();
     let bytes = |triangles: usize, vertices: usize| triangles * TRIANGLE_BYTES + vertices * vertex_bytes;
     let left = (extent.triangles - first).min(room_for);
     // With vertices of its own for each corner.
@@ -135,7 +136,7 @@ fn piece<'p>(
         first,
         triangles,
         corners: Corners::Indexed {
-            indices: &indices[3 * first..3 * (first + triangles)],
+            indices: &indices.as_chunks().0[first..first + triangles],
             first_vertex: vertices.start as u32,
         },
         source: Source::Range(vertices.start),
@@ -180,8 +181,8 @@ impl<'p> Batch<'p> {
             self.segments.push(segment);
         }
         let screen = self.screen_vertices..self.screen_vertices + piece.vertices;
-        let records = self.record_words..self.record_words + piece.vertices * call.record_words();
-        (self.screen_vertices, self.record_words) = (screen.end, records.end);
+        let records = self.record_rows..self.record_rows + piece.vertices * call.record_rows();
+        (self.screen_vertices, self.record_rows) = (screen.end, records.end);
         self.runs.push(Run {
             draw,
             first_triangle: piece.first,

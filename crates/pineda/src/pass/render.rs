@@ -21,7 +21,7 @@ pub struct Renderer {
     threads: usize,
     settings: Settings,
     screen: Vec<ScreenVertex>,
-    records: Vec<u32>,
+    records: Vec<[u32; 4]>,
     shares: Vec<Share>,
     painters: Vec<Painter>,
     /// The depth between flushes, for targets without a depth buffer.
@@ -79,7 +79,7 @@ impl Renderer {
     /// Memory for the largest batch, and for each thread's state.
     fn reserve(&mut self, batches: &[Batch<'_>], target: &Target<'_>) -> Result<(), Error> {
         let screen = batches.iter().map(|batch| batch.screen_vertices).max().unwrap_or(0);
-        let records = batches.iter().map(|batch| batch.record_words).max().unwrap_or(0);
+        let records = batches.iter().map(|batch| batch.record_rows).max().unwrap_or(0);
         grow(&mut self.screen, screen, "projected vertices")?;
         grow(&mut self.records, records, "vertex records")?;
         if batches.len() > 1 && target.depth.is_none() {
@@ -94,12 +94,12 @@ impl Renderer {
         let mut jobs = Vec::new();
         let (mut screen, mut records) = (&mut self.screen[..], &mut self.records[..]);
         for run in &batch.runs {
-            let words = pass.draws[run.draw].record_words();
+            let rows = pass.draws[run.draw].record_rows();
             for first in (0..run.screen.len()).step_by(VERTICES_PER_JOB) {
                 let count = (run.screen.len() - first).min(VERTICES_PER_JOB);
                 let (own_screen, own_records);
                 (own_screen, screen) = screen.split_at_mut(count);
-                (own_records, records) = records.split_at_mut(count * words);
+                (own_records, records) = records.split_at_mut(count * rows);
                 let job = VertexJob {
                     source: run.source,
                     first_place: first,
@@ -152,7 +152,7 @@ impl Renderer {
 
     /// Coverage, depth and shading, tile by tile.
     fn paint(&mut self, pass: &Pass<'_>, batch: &Batch<'_>, grid: TileGrid, target: &mut Target<'_>, is_first: bool) {
-        let view = |run| view(pass, run, &self.screen, &self.records);
+        let view = |run| view(pass, run, &self.records);
         let runs: Vec<RunView<'_>> = batch.runs.iter().map(view).collect();
         let (width, height) = (target.width, target.height);
         let wants = Wants {
@@ -184,12 +184,11 @@ impl Renderer {
 }
 
 /// What shading sees of a run.
-fn view<'a>(pass: &Pass<'_>, run: &'a Run<'_>, screen: &'a [ScreenVertex], records: &'a [u32]) -> RunView<'a> {
+fn view<'a>(pass: &Pass<'_>, run: &'a Run<'_>, records: &'a [[u32; 4]]) -> RunView<'a> {
     RunView {
         corners: run.corners,
         source: run.source,
         first_number: run.first_number,
-        screen: &screen[run.screen.clone()],
         records: &records[run.records.clone()],
         projection: &run.projection,
         front_is_clockwise: pass.draws[run.draw].state().front_face == FrontFace::Clockwise,

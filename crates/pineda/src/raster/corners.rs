@@ -7,10 +7,10 @@ use fearless_simd::{Simd, f32x16, i32x16, prelude::*, u32x4, u32x16};
 /// Where the shaded vertices of a run of triangles stand.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Corners<'a> {
-    /// Corner k of triangle t is vertex `indices[3 t + k] - first_vertex`.
+    /// Corner k of triangle t is vertex `indices[t][k] - first_vertex`.
     Indexed {
         /// The indices of the run's triangles.
-        indices: &'a [u32],
+        indices: &'a [[u32; 3]],
         /// The first vertex that was shaded.
         first_vertex: u32,
     },
@@ -24,11 +24,11 @@ impl Corners<'_> {
     pub(crate) fn of(&self, t: usize) -> [usize; 3] {
         match *self {
             Corners::Indexed { indices, first_vertex } => {
-                let row = &indices[3 * t..3 * t + 3];
+                let [a, b, c] = indices[t];
                 [
-                    row[0].wrapping_sub(first_vertex) as usize,
-                    row[1].wrapping_sub(first_vertex) as usize,
-                    row[2].wrapping_sub(first_vertex) as usize,
+                    a.wrapping_sub(first_vertex) as usize,
+                    b.wrapping_sub(first_vertex) as usize,
+                    c.wrapping_sub(first_vertex) as usize,
                 ]
             }
             Corners::Sequential => [3 * t, 3 * t + 1, 3 * t + 2],
@@ -41,7 +41,7 @@ impl Corners<'_> {
         let mut places = [0; 48];
         match *self {
             Corners::Indexed { indices, first_vertex } => {
-                let row = &indices[3 * t..3 * (t + count)];
+                let row = indices[t..t + count].as_flattened();
                 places[..row.len()].copy_from_slice(row);
                 if first_vertex != 0 {
                     let mut k = 0;

@@ -45,17 +45,4 @@ impl TriangleId {
     pub(crate) fn is_clipped(self) -> bool {
         self.order_code() >= CLIPPED_CLOCKWISE
     }
-
-    #[inline(always)]
-    pub(crate) fn is_clockwise(self) -> bool {
-        is_clockwise_code(self.order_code())
-    }
-}
-
-/// Bit k is set if order code k is of a triangle that was submitted clockwise.
-const CLOCKWISE_CODES: u32 = 0b0100_0111;
-
-#[inline(always)]
-pub(crate) fn is_clockwise_code(code: u32) -> bool {
-    CLOCKWISE_CODES >> code & 1 != 0
 }

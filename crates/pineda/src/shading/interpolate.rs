@@ -3,9 +3,11 @@
 //! A packet is never split by triangle: that would run the fragment stage several times for a handful of pixels each. Its weights and
 //! its vertices' varyings are put together first, in one of three ways, and from there on the way no longer matters:
 //!
-//! - *one* triangle: everything is the same in all lanes, and lives in scalar registers;
+//! - *one* triangle: everything is the same in all lanes, and kept for the next packet;
 //! - a *few*: each triangle in turn, its lanes selected by mask;
 //! - *many*: each lane loads its own vertices; rows of four words are turned round by shuffles.
+//!
+//! Packets with clipped triangles, and varyings that are flat, linear on the screen, or differentiated, go the second way, in full.
 //!
 //! A varying is `(f0 + b1 (f1 - f0)) + b2 (f2 - f0)`, in canonical order of the vertices. What is the same at all three vertices stays
 //! exactly that.
@@ -14,11 +16,11 @@
 //! every shader.
 
 use super::packet::{PacketRows, VaryingLayout};
-use super::run::{RECORD_HEADER, RunView, record_words};
-use super::weights::{Weights, of_clipped, of_lanes, of_triangle};
-use super::Interpolation;
+use super::run::{RECORD_HEADER, RunView, record_rows};
+use super::weights::{Prepared, Weights, of_clipped, of_lanes, of_triangle};
+use super::{Interpolation, MAX_VARYINGS};
 use crate::geometry::raster_space::{HALF_PIXEL, SUBPIXELS};
-use crate::raster::triangle_id::TriangleId;
+use crate::raster::triangle_id::{CLIPPED_CLOCKWISE, ORDER_BITS, TriangleId};
 use crate::tile::view::BlockLanes;
 use crate::transpose::columns4;
 use fearless_simd::{Simd, f32x16, i32x16, mask32x16, prelude::*, u32x4, u32x16};
@@ -53,9 +55,66 @@ struct Corner3<S: Simd> {
     d2: f32x16<S>,
 }
 
+/// The triangle that the last packet showed alone, if it did: its neighbour often shows it, too.
+pub(crate) struct Last<S: Simd> {
+    id: TriangleId,
+    prepared: Prepared<S>,
+    /// Each varying at the first vertex, and by how much the others exceed it.
+    corners: [[f32; 3]; MAX_VARYINGS],
+}
+
+impl<S: Simd> Last<S> {
+    #[inline(always)]
+    pub(crate) fn none(s: S) -> Self {
+        Self { id: TriangleId(0), prepared: Prepared::none(s), corners: [[0.0; 3]; MAX_VARYINGS] }
+    }
+}
+
 /// Interpolates all varyings of a packet into its rows.
 #[inline(always)]
+#[expect(clippy::too_many_arguments, reason = "inlined")]
 pub(crate) fn interpolate<S: Simd>(
+    s: S,
+    run: &RunView<'_>,
+    position: &dyn Fn(usize) -> [f32; 4],
+    layout: &VaryingLayout,
+    fragments: &Fragments<'_>,
+    lanes: &BlockLanes<S>,
+    last: &mut Last<S>,
+    rows: &mut PacketRows<'_>,
+) {
+    let ids = u32x16::simd_from(s, *fragments.ids);
+    let first = fragments.ids[fragments.mask.trailing_zeros() as usize & 15];
+    let rest = fragments.mask & !(ids.simd_eq(first).to_bitmask() as u32);
+    let code: i32x16<S> = (ids & ((1 << ORDER_BITS) - 1)).bitcast();
+    let clipped = code.simd_ge(CLIPPED_CLOCKWISE as i32).to_bitmask() as u32 & fragments.mask;
+    if !layout.is_plain || clipped != 0 {
+        few_in_full(s, run, position, layout, fragments, rows);
+    } else if rest == 0 {
+        one(s, run, layout, fragments, TriangleId(first), lanes, last, rows);
+    } else {
+        if fragments.mask == 0xffff && has_five(fragments.ids) {
+            return many(s, run, layout, fragments, first, lanes, rows);
+        }
+        let distinct = distinct(ids, fragments, first, FEW + 1);
+        if distinct.count <= FEW {
+            few::<S, false>(s, run, position, layout, fragments, &distinct, lanes, rows);
+        } else {
+            many(s, run, layout, fragments, first, lanes, rows);
+        }
+    }
+}
+
+/// Whether the corners of a block and one sample within show five different triangles: a quick way to know that there are many.
+#[inline(always)]
+fn has_five(ids: &[u32; 16]) -> bool {
+    let [a, b, c, d, e] = [ids[0], ids[3], ids[12], ids[15], ids[5]];
+    let corners = (a != b) & (a != c) & (a != d) & (b != c) & (b != d) & (c != d);
+    corners & (e != a) & (e != b) & (e != c) & (e != d)
+}
+
+#[inline(never)]
+fn few_in_full<S: Simd>(
     s: S,
     run: &RunView<'_>,
     position: &dyn Fn(usize) -> [f32; 4],
@@ -63,20 +122,49 @@ pub(crate) fn interpolate<S: Simd>(
     fragments: &Fragments<'_>,
     rows: &mut PacketRows<'_>,
 ) {
-    let lanes = BlockLanes::new(s);
-    let ids = u32x16::simd_from(s, *fragments.ids);
-    let first = fragments.ids[fragments.mask.trailing_zeros() as usize & 15];
-    let rest = fragments.mask & !(ids.simd_eq(first).to_bitmask() as u32);
-    if rest == 0 {
-        let distinct = Distinct { count: 1, ids: [first; 16], masks: [fragments.mask; 16] };
-        few(s, run, position, layout, fragments, &distinct, &lanes, rows);
-        return;
+    s.vectorize(
+        #[inline(always)]
+        || {
+            let ids = u32x16::simd_from(s, *fragments.ids);
+            let first = fragments.ids[fragments.mask.trailing_zeros() as usize & 15];
+            let distinct = distinct(ids, fragments, first, 16);
+            few::<S, true>(s, run, position, layout, fragments, &distinct, &BlockLanes::new(s), rows);
+        },
+    );
+}
+
+#[inline(always)]
+#[expect(clippy::too_many_arguments, reason = "inlined")]
+fn one<S: Simd>(
+    s: S,
+    run: &RunView<'_>,
+    layout: &VaryingLayout,
+    fragments: &Fragments<'_>,
+    id: TriangleId,
+    lanes: &BlockLanes<S>,
+    last: &mut Last<S>,
+    rows: &mut PacketRows<'_>,
+) {
+    let varyings = layout.interpolation.len().min(MAX_VARYINGS);
+    if last.id != id {
+        let each = record_rows(varyings);
+        let [a, b, c] = run.canonical_places(id);
+        let places = [a, b, c, run.places(id)[0]];
+        last.id = id;
+        last.prepared = Prepared::new(s, run, each, &places, lanes);
+        let mut k = 0;
+        while k < varyings {
+            last.corners[k] = vertex_values(run, each, &places, k, false);
+            k += 1;
+        }
     }
-    let distinct = distinct(ids, fragments, first);
-    if distinct.count <= FEW || has_clipped(&distinct) {
-        few(s, run, position, layout, fragments, &distinct, &lanes, rows);
-    } else {
-        many(s, run, layout, fragments, first, &lanes, rows);
+    let both = Both::new::<false>(s, &last.prepared.weights(s, fragments.x, fragments.y), layout);
+    let mut k = 0;
+    while k < varyings {
+        let [f0, d1, d2] = last.corners[k];
+        let corner = Corner3 { f0: f32x16::splat(s, f0), d1: f32x16::splat(s, d1), d2: f32x16::splat(s, d2) };
+        both.set::<false>(layout, rows, k, corner);
+        k += 1;
     }
 }
 
@@ -112,7 +200,7 @@ impl<S: Simd> Barycentric<S> {
     }
 }
 
-/// Both kinds of barycentric coordinates; the second only if a varying asks for it.
+/// Both kinds of barycentric coordinates.
 struct Both<S: Simd> {
     perspective: Barycentric<S>,
     linear: Barycentric<S>,
@@ -120,10 +208,10 @@ struct Both<S: Simd> {
 
 impl<S: Simd> Both<S> {
     #[inline(always)]
-    fn new(s: S, weights: &Weights<S>, layout: &VaryingLayout) -> Self {
-        let derivatives = layout.derivatives;
+    fn new<const FULL: bool>(s: S, weights: &Weights<S>, layout: &VaryingLayout) -> Self {
+        let derivatives = FULL && layout.derivatives;
         let perspective = Barycentric::new(s, &weights.perspective, &weights.dx, &weights.dy, derivatives);
-        let linear = if layout.has_linear {
+        let linear = if FULL {
             Barycentric::new(s, &weights.linear, &weights.linear_dx, &weights.linear_dy, derivatives)
         } else {
             perspective
@@ -133,8 +221,9 @@ impl<S: Simd> Both<S> {
 
     /// Varying `k` and its derivatives, from its values at the vertices.
     #[inline(always)]
-    fn set(&self, layout: &VaryingLayout, rows: &mut PacketRows<'_>, k: usize, f: Corner3<S>) {
-        let b = match layout.interpolation[k] {
+    fn set<const FULL: bool>(&self, layout: &VaryingLayout, rows: &mut PacketRows<'_>, k: usize, f: Corner3<S>) {
+        let interpolation = if FULL { layout.interpolation[k] } else { Interpolation::Perspective };
+        let b = match interpolation {
             Interpolation::Flat => {
                 rows.here[k] = f.f0.into();
                 return;
@@ -143,7 +232,7 @@ impl<S: Simd> Both<S> {
             Interpolation::NoPerspective => &self.linear,
         };
         rows.here[k] = ((f.f0 + b.b1 * f.d1) + b.b2 * f.d2).into();
-        if layout.derivatives {
+        if FULL && layout.derivatives {
             rows.dx[k] = (b.dx[0] * f.d1 + b.dx[1] * f.d2).into();
             rows.dy[k] = (b.dy[0] * f.d1 + b.dy[1] * f.d2).into();
         }
@@ -152,46 +241,48 @@ impl<S: Simd> Both<S> {
 
 /// The weights of one triangle, the places of its vertices in their order, and the provoking vertex's.
 #[inline(always)]
-fn triangle<S: Simd>(
+fn triangle<S: Simd, const FULL: bool>(
     s: S,
     run: &RunView<'_>,
     position: &dyn Fn(usize) -> [f32; 4],
     fragments: &Fragments<'_>,
     id: TriangleId,
-    words: usize,
+    each: usize,
     lanes: &BlockLanes<S>,
 ) -> (Weights<S>, [usize; 4]) {
-    let (weights, places) = if id.is_clipped() {
+    let (weights, places) = if FULL && id.is_clipped() {
         let (weights, order) = of_clipped(s, run, position, id, fragments.x, fragments.y);
         let submitted = run.places(id);
         (weights, [submitted[order[0]], submitted[order[1]], submitted[order[2]]])
     } else {
         let places = run.canonical_places(id);
-        (of_triangle(s, run, words, places, fragments.x, fragments.y, lanes), places)
+        (of_triangle::<S, FULL>(s, run, each, places, fragments.x, fragments.y, lanes), places)
     };
     (weights, [places[0], places[1], places[2], run.places(id)[0]])
 }
 
 /// Varying `k` at the first vertex and by how much the others exceed it; of a flat one, at the provoking vertex.
 #[inline(always)]
-fn vertex_values(run: &RunView<'_>, words: usize, places: &[usize; 4], k: usize, is_flat: bool) -> [f32; 3] {
+fn vertex_values(run: &RunView<'_>, each: usize, places: &[usize; 4], k: usize, is_flat: bool) -> [f32; 3] {
     if is_flat {
-        return [word(run, words, places[3], k), 0.0, 0.0];
+        return [word(run, each, places[3], k), 0.0, 0.0];
     }
-    let f0 = word(run, words, places[0], k);
-    [f0, word(run, words, places[1], k) - f0, word(run, words, places[2], k) - f0]
+    let f0 = word(run, each, places[0], k);
+    [f0, word(run, each, places[1], k) - f0, word(run, each, places[2], k) - f0]
 }
 
 #[inline(always)]
-fn word(run: &RunView<'_>, words: usize, place: usize, k: usize) -> f32 {
-    f32::from_bits(run.records[place * words + RECORD_HEADER + k])
+fn word(run: &RunView<'_>, each: usize, place: usize, k: usize) -> f32 {
+    let at = RECORD_HEADER + k;
+    f32::from_bits(run.records[place * each + at / 4][at % 4])
 }
 
+/// The first `most` different triangles of a packet.
 #[inline(always)]
-fn distinct<S: Simd>(ids: u32x16<S>, fragments: &Fragments<'_>, first: u32) -> Distinct {
+fn distinct<S: Simd>(ids: u32x16<S>, fragments: &Fragments<'_>, first: u32, most: usize) -> Distinct {
     let mut distinct = Distinct { count: 0, ids: [first; 16], masks: [0; 16] };
     let mut rest = fragments.mask;
-    while rest != 0 {
+    while rest != 0 && distinct.count < most {
         let id = fragments.ids[rest.trailing_zeros() as usize & 15];
         let same = ids.simd_eq(id).to_bitmask() as u32 & rest;
         distinct.ids[distinct.count & 15] = id;
@@ -203,19 +294,8 @@ fn distinct<S: Simd>(ids: u32x16<S>, fragments: &Fragments<'_>, first: u32) -> D
 }
 
 #[inline(always)]
-fn has_clipped(distinct: &Distinct) -> bool {
-    let mut any = false;
-    let mut k = 0;
-    while k < distinct.count {
-        any |= TriangleId(distinct.ids[k & 15]).is_clipped();
-        k += 1;
-    }
-    any
-}
-
-#[inline(always)]
 #[expect(clippy::too_many_arguments, reason = "inlined")]
-fn few<S: Simd>(
+fn few<S: Simd, const FULL: bool>(
     s: S,
     run: &RunView<'_>,
     position: &dyn Fn(usize) -> [f32; 4],
@@ -225,37 +305,37 @@ fn few<S: Simd>(
     lanes: &BlockLanes<S>,
     rows: &mut PacketRows<'_>,
 ) {
-    let words = record_words(layout.interpolation.len());
+    let each = record_rows(layout.interpolation.len());
     let mut places = [[0; 4]; 16];
     let mut masks = [mask32x16::splat(s, true); 16];
     let mut weights;
-    (weights, places[0]) = triangle(s, run, position, fragments, TriangleId(distinct.ids[0]), words, lanes);
+    (weights, places[0]) = triangle::<S, FULL>(s, run, position, fragments, TriangleId(distinct.ids[0]), each, lanes);
     let mut t = 1;
     while t < distinct.count {
         let id = TriangleId(distinct.ids[t & 15]);
-        let (next, next_places) = triangle(s, run, position, fragments, id, words, lanes);
+        let (next, next_places) = triangle::<S, FULL>(s, run, position, fragments, id, each, lanes);
         places[t & 15] = next_places;
         masks[t & 15] = mask32x16::from_bitmask(s, u64::from(distinct.masks[t & 15]));
-        weights.select(masks[t & 15], &next, layout.derivatives);
+        weights.select::<FULL>(masks[t & 15], &next);
         t += 1;
     }
-    let both = Both::new(s, &weights, layout);
+    let both = Both::new::<FULL>(s, &weights, layout);
     let mut k = 0;
     while k < layout.interpolation.len() {
-        let is_flat = layout.interpolation[k] == Interpolation::Flat;
-        let [f0, d1, d2] = vertex_values(run, words, &places[0], k, is_flat);
+        let is_flat = FULL && layout.interpolation[k] == Interpolation::Flat;
+        let [f0, d1, d2] = vertex_values(run, each, &places[0], k, is_flat);
         let mut corner =
             Corner3 { f0: f32x16::splat(s, f0), d1: f32x16::splat(s, d1), d2: f32x16::splat(s, d2) };
         let mut t = 1;
         while t < distinct.count {
             let mask = masks[t & 15];
-            let [f0, d1, d2] = vertex_values(run, words, &places[t & 15], k, is_flat);
+            let [f0, d1, d2] = vertex_values(run, each, &places[t & 15], k, is_flat);
             corner.f0 = mask.select(f32x16::splat(s, f0), corner.f0);
             corner.d1 = mask.select(f32x16::splat(s, d1), corner.d1);
             corner.d2 = mask.select(f32x16::splat(s, d2), corner.d2);
             t += 1;
         }
-        both.set(layout, rows, k, corner);
+        both.set::<FULL>(layout, rows, k, corner);
         k += 1;
     }
 }
@@ -271,17 +351,33 @@ fn many<S: Simd>(
     rows: &mut PacketRows<'_>,
 ) {
     let varyings = layout.interpolation.len();
-    let words = record_words(varyings);
-    let mut places = [[0; 16]; 3];
-    let mut provoking = [0; 16];
+    let each = record_rows(varyings);
+    // Records' places, as submitted, then in canonical order.
+    let ids = u32x16::simd_from(s, *fragments.ids);
+    let ids = mask32x16::from_bitmask(s, u64::from(fragments.mask)).select(ids, u32x16::splat(s, first));
+    let id: [u32; 16] = ids.into();
+    let mut submitted = [[0; 16]; 3];
     let mut lane = 0;
     while lane < 16 {
-        let id = if fragments.mask >> lane & 1 != 0 { fragments.ids[lane] } else { first };
-        let [a, b, c] = run.canonical_places(TriangleId(id));
-        (places[0][lane], places[1][lane], places[2][lane]) = (a * words, b * words, c * words);
-        provoking[lane] = run.places(TriangleId(id))[0] * words;
+        let [a, b, c] = run.places(TriangleId(id[lane]));
+        (submitted[0][lane], submitted[1][lane], submitted[2][lane]) = (a as u32, b as u32, c as u32);
         lane += 1;
     }
+    let [a, b, c] = [
+        u32x16::simd_from(s, submitted[0]),
+        u32x16::simd_from(s, submitted[1]),
+        u32x16::simd_from(s, submitted[2]),
+    ];
+    let code: i32x16<S> = (ids & ((1 << ORDER_BITS) - 1)).bitcast();
+    let (first_is_1, first_is_2) = (code.simd_eq(1) | code.simd_eq(4), code.simd_eq(2) | code.simd_eq(5));
+    let counter_clockwise = code.simd_ge(3);
+    let second = first_is_1.select(c, first_is_2.select(a, b));
+    let third = first_is_1.select(a, first_is_2.select(b, c));
+    let places: [[u32; 16]; 3] = [
+        (first_is_1.select(b, first_is_2.select(c, a)) * each as u32).into(),
+        (counter_clockwise.select(third, second) * each as u32).into(),
+        (counter_clockwise.select(second, third) * each as u32).into(),
+    ];
     // The first row of each record holds x, y, 1 / w and the first varying.
     let (mut a, mut b, mut c) =
         (row(s, run, &places[0], 0), row(s, run, &places[1], 0), row(s, run, &places[2], 0));
@@ -290,53 +386,51 @@ fn many<S: Simd>(
     let vx = [a[0].bitcast::<i32x16<S>>() - x, b[0].bitcast::<i32x16<S>>() - x, c[0].bitcast::<i32x16<S>>() - x];
     let vy = [a[1].bitcast::<i32x16<S>>() - y, b[1].bitcast::<i32x16<S>>() - y, c[1].bitcast::<i32x16<S>>() - y];
     let weights = of_lanes(vx, vy, [a[2].bitcast(), b[2].bitcast(), c[2].bitcast()]);
-    let both = Both::new(s, &weights, layout);
-    let mut first_word = 0;
-    while first_word < words {
-        if first_word != 0 {
-            a = row(s, run, &places[0], first_word);
-            b = row(s, run, &places[1], first_word);
-            c = row(s, run, &places[2], first_word);
+    let both = Both::new::<false>(s, &weights, layout);
+    let mut r = 0;
+    while r < each {
+        if r != 0 {
+            a = row(s, run, &places[0], r);
+            b = row(s, run, &places[1], r);
+            c = row(s, run, &places[2], r);
         }
-        let p = if layout.has_flat { row(s, run, &provoking, first_word) } else { a };
         let mut i = 0;
         while i < 4 {
             // Words before the varyings, or behind the last.
-            let k = (first_word + i).wrapping_sub(RECORD_HEADER);
+            let k = (4 * r + i).wrapping_sub(RECORD_HEADER);
             if k < varyings {
-                let is_flat = layout.interpolation[k] == Interpolation::Flat;
-                let f0: f32x16<S> = if is_flat { p[i].bitcast() } else { a[i].bitcast() };
+                let f0: f32x16<S> = a[i].bitcast();
                 let corner =
                     Corner3 { f0, d1: b[i].bitcast::<f32x16<S>>() - f0, d2: c[i].bitcast::<f32x16<S>>() - f0 };
-                both.set(layout, rows, k, corner);
+                both.set::<false>(layout, rows, k, corner);
             }
             i += 1;
         }
-        first_word += 4;
+        r += 1;
     }
 }
 
-/// Four words of each lane's record, as four vectors.
+/// Row `r` of each lane's record, as four vectors.
 #[inline(always)]
-fn row<S: Simd>(s: S, run: &RunView<'_>, at: &[usize; 16], first_word: usize) -> [u32x16<S>; 4] {
+fn row<S: Simd>(s: S, run: &RunView<'_>, at: &[u32; 16], r: usize) -> [u32x16<S>; 4] {
     columns4(
-        four(s, run, at, first_word, 0),
-        four(s, run, at, first_word, 4),
-        four(s, run, at, first_word, 8),
-        four(s, run, at, first_word, 12),
+        four(s, run, at, r, 0),
+        four(s, run, at, r, 4),
+        four(s, run, at, r, 8),
+        four(s, run, at, r, 12),
     )
 }
 
 #[inline(always)]
-fn four<S: Simd>(s: S, run: &RunView<'_>, at: &[usize; 16], first_word: usize, lane: usize) -> u32x16<S> {
-    let a = load(s, run, at[lane] + first_word);
-    let b = load(s, run, at[lane + 1] + first_word);
-    let c = load(s, run, at[lane + 2] + first_word);
-    let d = load(s, run, at[lane + 3] + first_word);
+fn four<S: Simd>(s: S, run: &RunView<'_>, at: &[u32; 16], r: usize, lane: usize) -> u32x16<S> {
+    let a = load(s, run, at[lane] as usize + r);
+    let b = load(s, run, at[lane + 1] as usize + r);
+    let c = load(s, run, at[lane + 2] as usize + r);
+    let d = load(s, run, at[lane + 3] as usize + r);
     a.combine(b).combine(c.combine(d))
 }
 
 #[inline(always)]
 fn load<S: Simd>(s: S, run: &RunView<'_>, at: usize) -> u32x4<S> {
-    u32x4::from_slice(s, &run.records[at..at + 4])
+    u32x4::simd_from(s, run.records[at])
 }

@@ -16,16 +16,15 @@ pub(crate) const BATCH: usize = 16;
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct VaryingLayout {
     pub(crate) interpolation: &'static [Interpolation],
-    pub(crate) has_flat: bool,
-    pub(crate) has_linear: bool,
     pub(crate) derivatives: bool,
+    /// Whether everything is interpolated with perspective and no derivative is asked for.
+    pub(crate) is_plain: bool,
 }
 
 impl VaryingLayout {
     pub(crate) fn new(interpolation: &'static [Interpolation], derivatives: bool) -> Self {
-        let has = |asked| interpolation.contains(&asked);
-        let (has_flat, has_linear) = (has(Interpolation::Flat), has(Interpolation::NoPerspective));
-        Self { interpolation, has_flat, has_linear, derivatives }
+        let is_plain = !derivatives && interpolation.iter().all(|&i| i == Interpolation::Perspective);
+        Self { interpolation, derivatives, is_plain }
     }
 
     /// Rows of a packet: the varyings and, if asked for, their derivatives along x and y.
@@ -58,9 +57,10 @@ pub(crate) struct PacketState {
 }
 
 /// Up to [`BATCH`] packets of one run.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub(crate) struct PacketBatch {
-    pub(crate) packets: Vec<PacketState>,
+    packets: [PacketState; BATCH],
+    count: usize,
     rows: Vec<[f32; 16]>,
     rows_each: usize,
     derivatives: bool,
@@ -68,9 +68,20 @@ pub(crate) struct PacketBatch {
 }
 
 impl PacketBatch {
+    pub(crate) fn new() -> Self {
+        Self {
+            packets: [PacketState::default(); BATCH],
+            count: 0,
+            rows: Vec::new(),
+            rows_each: 0,
+            derivatives: false,
+            front_is_clockwise: false,
+        }
+    }
+
     /// Empties the batch for packets of this layout.
     pub(crate) fn start(&mut self, layout: &VaryingLayout, front_is_clockwise: bool) {
-        self.packets.clear();
+        self.count = 0;
         self.rows_each = layout.rows();
         self.derivatives = layout.derivatives;
         self.front_is_clockwise = front_is_clockwise;
@@ -80,14 +91,33 @@ impl PacketBatch {
         }
     }
 
-    /// The rows of packet `k`.
     #[inline(always)]
-    pub(crate) fn rows(&mut self, k: usize) -> PacketRows<'_> {
+    pub(crate) fn len(&self) -> usize {
+        self.count
+    }
+
+    #[inline(always)]
+    pub(crate) fn packets(&self) -> &[PacketState] {
+        &self.packets[..self.count]
+    }
+
+    /// Adds a packet, with whatever an earlier one left in it. There must be room.
+    #[inline(always)]
+    pub(crate) fn add(&mut self) -> &mut PacketState {
+        let packet = &mut self.packets[self.count];
+        self.count += 1;
+        packet
+    }
+
+    /// The packet that was added last, and its rows.
+    #[inline(always)]
+    pub(crate) fn last(&mut self) -> (&PacketState, PacketRows<'_>) {
+        let k = self.count - 1;
         let rows = &mut self.rows[k * self.rows_each..(k + 1) * self.rows_each];
         let each = if self.derivatives { rows.len() / 3 } else { rows.len() };
         let (here, rest) = rows.split_at_mut(each);
         let (dx, dy) = rest.split_at_mut(if self.derivatives { each } else { 0 });
-        PacketRows { here, dx, dy }
+        (&self.packets[k], PacketRows { here, dx, dy })
     }
 
     /// Runs a fragment stage over all packets: the only part that is compiled for each shader.
@@ -96,7 +126,7 @@ impl PacketBatch {
         let lanes = BlockLanes::new(s);
         let length = <St::V as Varyings<Packet<S>>>::LEN;
         let mut k = 0;
-        while k < self.packets.len() {
+        while k < self.count {
             let packet = &mut self.packets[k];
             let rows = self.rows[k * self.rows_each..(k + 1) * self.rows_each].as_flattened();
             let varyings = St::V::read(Packet(s), rows);

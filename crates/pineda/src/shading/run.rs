@@ -1,16 +1,15 @@
 //! What shading knows of a run of triangles: where its vertices are, and what came out of their vertex stage.
 
 use crate::geometry::project::Projection;
-use crate::geometry::raster_space::ScreenVertex;
 use crate::raster::corners::Corners;
 use crate::raster::triangle_id::{ORDERS, TriangleId};
 
 /// Words of a vertex record before its varyings: x and y in subpixels, 1 / w.
 pub(crate) const RECORD_HEADER: usize = 3;
 
-/// Words of the record of a vertex with `varyings` numbers, so that rows of four words can be loaded.
-pub(crate) const fn record_words(varyings: usize) -> usize {
-    (RECORD_HEADER + varyings).next_multiple_of(4)
+/// Rows of four words of the record of a vertex with `varyings` numbers.
+pub(crate) const fn record_rows(varyings: usize) -> usize {
+    (RECORD_HEADER + varyings).div_ceil(4)
 }
 
 /// Which vertex of the draw stands at a place.
@@ -39,9 +38,8 @@ pub(crate) struct RunView<'a> {
     pub(crate) source: Source<'a>,
     /// The number of its first triangle in the batch.
     pub(crate) first_number: usize,
-    pub(crate) screen: &'a [ScreenVertex],
-    /// [`record_words`] for each vertex.
-    pub(crate) records: &'a [u32],
+    /// [`record_rows`] for each vertex.
+    pub(crate) records: &'a [[u32; 4]],
     pub(crate) projection: &'a Projection,
     pub(crate) front_is_clockwise: bool,
 }

@@ -1,14 +1,14 @@
 //! From covered or visible samples to colours in the tile: interpolation, the user's fragment stage, blending.
 
 use super::blend::blend;
-use super::interpolate::{Fragments, interpolate};
+use super::interpolate::{Fragments, Last, interpolate};
 use super::packet::{BATCH, PacketBatch, PacketState, VaryingLayout};
 use super::run::RunView;
 use crate::pass::draw_call::DrawCall;
 use crate::target::format::{Channels, TileColor};
 use crate::tile::Tile;
 use crate::tile::sink::{AnyCompare, DepthTest};
-use crate::tile::view::TileView;
+use crate::tile::view::{BlockLanes, TileView};
 use fearless_simd::{Level, Simd, f32x16, i32x16, mask32x16, prelude::*, u32x16};
 
 /// The samples of a block that show triangles of one draw.
@@ -16,6 +16,9 @@ use fearless_simd::{Level, Simd, f32x16, i32x16, mask32x16, prelude::*, u32x16};
 pub(crate) struct VisiblePacket {
     pub(crate) block: u32,
     pub(crate) mask: u32,
+    /// The block's first pixel.
+    pub(crate) x: i32,
+    pub(crate) y: i32,
 }
 
 /// The samples of a block that one triangle covers, for a draw that blends or discards.
@@ -43,26 +46,30 @@ pub(crate) struct Shading<'a> {
 #[inline(always)]
 pub(crate) fn shade_visible<S: Simd>(s: S, shading: &mut Shading<'_>, packets: &[VisiblePacket]) {
     let layout = shading.call.layout();
+    let (lanes, mut last) = (BlockLanes::new(s), Last::none(s));
     let mut first = 0;
     while first < packets.len() {
-        let last = (first + BATCH).min(packets.len());
+        let end = (first + BATCH).min(packets.len());
         shading.batch.start(&layout, shading.run.front_is_clockwise);
         let mut i = first;
-        while i < last {
-            let VisiblePacket { block, mask } = packets[i];
-            let (ids, depth) = (shading.tile.id[block as usize], shading.tile.depth[block as usize]);
-            add(s, shading, &layout, block, mask, ids, depth);
+        while i < end {
+            let VisiblePacket { block, mask, x, y } = packets[i];
+            let packet = shading.batch.add();
+            (packet.block, packet.alive, packet.x, packet.y) = (block, mask, x, y);
+            packet.ids = shading.tile.id[block as usize];
+            packet.depth = shading.tile.depth[block as usize];
+            fill(s, shading, &layout, &lanes, &mut last);
             i += 1;
         }
         shading.call.run_fragments(shading.level, shading.batch);
         let mut i = 0;
-        while i < shading.batch.packets.len() {
-            let packet = &shading.batch.packets[i];
+        while i < shading.batch.len() {
+            let packet = &shading.batch.packets()[i];
             let alive = mask32x16::from_bitmask(s, u64::from(packet.alive));
             shading.color.store(s, packet.block as usize, alive, channels(s, packet));
             i += 1;
         }
-        first = last;
+        first = end;
     }
 }
 
@@ -70,11 +77,12 @@ pub(crate) fn shade_visible<S: Simd>(s: S, shading: &mut Shading<'_>, packets: &
 #[inline(always)]
 pub(crate) fn shade_in_order<S: Simd>(s: S, shading: &mut Shading<'_>, packets: &[OrderedPacket]) {
     let layout = shading.call.layout();
+    let (lanes, mut last) = (BlockLanes::new(s), Last::none(s));
     let mut first = 0;
     while first < packets.len() {
         shading.batch.start(&layout, shading.run.front_is_clockwise);
         let mut next = first;
-        while next < packets.len() && shading.batch.packets.len() < BATCH {
+        while next < packets.len() && shading.batch.len() < BATCH {
             let packet = &packets[next];
             // What an earlier packet of the batch is about to change must not be tested yet.
             if contains(shading.batch, packet.block) {
@@ -85,7 +93,11 @@ pub(crate) fn shade_in_order<S: Simd>(s: S, shading: &mut Shading<'_>, packets: 
             let test = AnyCompare(shading.call.state().depth.compare);
             let mask = (covered & test.passes(s, i32x16::simd_from(s, packet.depth), there)).to_bitmask() as u32;
             if mask != 0 {
-                add(s, shading, &layout, packet.block, mask, [packet.id; 16], packet.depth);
+                let (x, y) = shading.view.pixel_of(packet.block as usize);
+                let new = shading.batch.add();
+                (new.block, new.alive, new.x, new.y) = (packet.block, mask, x, y);
+                (new.ids, new.depth) = ([packet.id; 16], packet.depth);
+                fill(s, shading, &layout, &lanes, &mut last);
             }
             next += 1;
         }
@@ -99,31 +111,27 @@ pub(crate) fn shade_in_order<S: Simd>(s: S, shading: &mut Shading<'_>, packets: 
 fn contains(batch: &PacketBatch, block: u32) -> bool {
     let mut found = false;
     let mut k = 0;
-    while k < batch.packets.len() {
-        found |= batch.packets[k].block == block;
+    while k < batch.len() {
+        found |= batch.packets()[k].block == block;
         k += 1;
     }
     found
 }
 
-/// Appends a packet to the batch, interpolated.
+/// Interpolates the packet that was added last.
 #[inline(always)]
-fn add<S: Simd>(
+fn fill<S: Simd>(
     s: S,
     shading: &mut Shading<'_>,
     layout: &VaryingLayout,
-    block: u32,
-    mask: u32,
-    ids: [u32; 16],
-    depth: [i32; 16],
+    lanes: &BlockLanes<S>,
+    last: &mut Last<S>,
 ) {
-    let (x, y) = shading.view.pixel_of(block as usize);
-    let at = shading.batch.packets.len();
-    let call = shading.call;
-    let fragments = Fragments { ids: &ids, mask, x, y };
-    let mut rows = shading.batch.rows(at);
-    interpolate(s, shading.run, &|vertex| call.position(vertex), layout, &fragments, &mut rows);
-    shading.batch.packets.push(PacketState { depth, ids, block, x, y, alive: mask, ..PacketState::default() });
+    let (call, run) = (shading.call, shading.run);
+    let position = |vertex: usize| call.position(vertex);
+    let (packet, mut rows) = shading.batch.last();
+    let fragments = Fragments { ids: &packet.ids, mask: packet.alive, x: packet.x, y: packet.y };
+    interpolate(s, run, &position, layout, &fragments, lanes, last, &mut rows);
 }
 
 /// Brings the colours of a batch of ordered packets into the tile.
@@ -131,8 +139,8 @@ fn add<S: Simd>(
 fn merge<S: Simd>(s: S, shading: &mut Shading<'_>) {
     let state = shading.call.state();
     let mut i = 0;
-    while i < shading.batch.packets.len() {
-        let packet = &shading.batch.packets[i];
+    while i < shading.batch.len() {
+        let packet = &shading.batch.packets()[i];
         let block = packet.block as usize;
         let alive = mask32x16::from_bitmask(s, u64::from(packet.alive));
         if state.depth.write {

@@ -25,7 +25,8 @@ use fearless_simd::{Simd, f32x16, f64x8, i32x16, mask32x16, prelude::*};
 /// block's 3 pixels add.
 const NEAR: i32 = (1 << 15) - 4 * SUBPIXELS;
 
-/// The weights of the three vertices, in canonical order, before they are divided by their sum.
+/// The weights of the three vertices, in canonical order, before they are divided by their sum. Where `FULL` is false, only the
+/// perspective ones count; the rest is never computed.
 #[derive(Clone, Copy)]
 pub(crate) struct Weights<S: Simd> {
     /// With perspective.
@@ -43,25 +44,34 @@ pub(crate) struct Weights<S: Simd> {
 impl<S: Simd> Weights<S> {
     /// Those of a triangle on the raster, from its edge functions and their steps.
     #[inline(always)]
-    fn from_edges(edge: [f32x16<S>; 3], dx: [f32x16<S>; 3], dy: [f32x16<S>; 3], inv_w: [f32x16<S>; 3]) -> Self {
-        Self {
-            perspective: [edge[0] * inv_w[0], edge[1] * inv_w[1], edge[2] * inv_w[2]],
-            linear: edge,
-            dx: [dx[0] * inv_w[0], dx[1] * inv_w[1], dx[2] * inv_w[2]],
-            dy: [dy[0] * inv_w[0], dy[1] * inv_w[1], dy[2] * inv_w[2]],
-            linear_dx: dx,
-            linear_dy: dy,
+    fn from_edges<const FULL: bool>(
+        edge: [f32x16<S>; 3],
+        dx: [f32x16<S>; 3],
+        dy: [f32x16<S>; 3],
+        inv_w: [f32x16<S>; 3],
+    ) -> Self {
+        let mut this =
+            Self { perspective: edge, linear: edge, dx, dy, linear_dx: dx, linear_dy: dy };
+        let mut k = 0;
+        while k < 3 {
+            this.perspective[k] = edge[k] * inv_w[k];
+            if FULL {
+                this.dx[k] = dx[k] * inv_w[k];
+                this.dy[k] = dy[k] * inv_w[k];
+            }
+            k += 1;
         }
+        this
     }
 
     /// Takes over another triangle's weights in the lanes of a mask.
     #[inline(always)]
-    pub(crate) fn select(&mut self, mask: mask32x16<S>, other: &Self, derivatives: bool) {
+    pub(crate) fn select<const FULL: bool>(&mut self, mask: mask32x16<S>, other: &Self) {
         let mut k = 0;
         while k < 3 {
             self.perspective[k] = mask.select(other.perspective[k], self.perspective[k]);
-            self.linear[k] = mask.select(other.linear[k], self.linear[k]);
-            if derivatives {
+            if FULL {
+                self.linear[k] = mask.select(other.linear[k], self.linear[k]);
                 self.dx[k] = mask.select(other.dx[k], self.dx[k]);
                 self.dy[k] = mask.select(other.dy[k], self.dy[k]);
                 self.linear_dx[k] = mask.select(other.linear_dx[k], self.linear_dx[k]);
@@ -74,10 +84,10 @@ impl<S: Simd> Weights<S> {
 
 /// The same for all samples of a block: one triangle, at the block whose first pixel is (x, y).
 #[inline(always)]
-pub(crate) fn of_triangle<S: Simd>(
+pub(crate) fn of_triangle<S: Simd, const FULL: bool>(
     s: S,
     run: &RunView<'_>,
-    words: usize,
+    rows: usize,
     places: [usize; 3],
     x: i32,
     y: i32,
@@ -89,7 +99,7 @@ pub(crate) fn of_triangle<S: Simd>(
     let mut inv_w = [0.0; 3];
     let mut k = 0;
     while k < 3 {
-        let record = &run.records[places[k] * words..places[k] * words + 4];
+        let record = &run.records[places[k] * rows];
         vx[k] = record[0] as i32 - px;
         vy[k] = record[1] as i32 - py;
         inv_w[k] = f32::from_bits(record[2]);
@@ -135,12 +145,81 @@ pub(crate) fn of_triangle<S: Simd>(
     let mut w = edge;
     let mut k = 0;
     while k < 3 {
-        dx[k] = f32x16::splat(s, step_x[k] as f32 * SUBPIXELS as f32);
-        dy[k] = f32x16::splat(s, step_y[k] as f32 * SUBPIXELS as f32);
+        if FULL {
+            dx[k] = f32x16::splat(s, step_x[k] as f32 * SUBPIXELS as f32);
+            dy[k] = f32x16::splat(s, step_y[k] as f32 * SUBPIXELS as f32);
+        }
         w[k] = f32x16::splat(s, inv_w[k]);
         k += 1;
     }
-    Weights::from_edges(edge, dx, dy, w)
+    Weights::from_edges::<FULL>(edge, dx, dy, w)
+}
+
+/// One triangle on the raster, ready for any block: what stays the same from block to block is computed once.
+#[derive(Clone, Copy)]
+pub(crate) struct Prepared<S: Simd> {
+    x: [i32; 3],
+    y: [i32; 3],
+    inv_w: [f32; 3],
+    step_x: [i32; 3],
+    step_y: [i32; 3],
+    /// By how much a sample's edge functions exceed those of its block's first sample; all integers, exact.
+    low: [f64x8<S>; 3],
+    high: [f64x8<S>; 3],
+}
+
+impl<S: Simd> Prepared<S> {
+    #[inline(always)]
+    pub(crate) fn none(s: S) -> Self {
+        let (zero, none) = ([f64x8::splat(s, 0.0); 3], [0; 3]);
+        Self { x: none, y: none, inv_w: [0.0; 3], step_x: none, step_y: none, low: zero, high: zero }
+    }
+
+    #[inline(always)]
+    pub(crate) fn new(s: S, run: &RunView<'_>, rows: usize, places: &[usize; 4], lanes: &BlockLanes<S>) -> Self {
+        let mut this = Self::none(s);
+        let mut k = 0;
+        while k < 3 {
+            let record = &run.records[places[k] * rows];
+            this.x[k] = record[0] as i32;
+            this.y[k] = record[1] as i32;
+            this.inv_w[k] = f32::from_bits(record[2]);
+            k += 1;
+        }
+        let (column_low, column_high) = lanes.x.widen();
+        let (row_low, row_high) = lanes.y.widen();
+        let mut k = 0;
+        while k < 3 {
+            let (a, b) = ((k + 1) % 3, (k + 2) % 3);
+            this.step_x[k] = this.y[a] - this.y[b];
+            this.step_y[k] = this.x[b] - this.x[a];
+            let right = f64::from(this.step_x[k]) * f64::from(SUBPIXELS);
+            let down = f64::from(this.step_y[k]) * f64::from(SUBPIXELS);
+            this.low[k] = column_low * right + row_low * down;
+            this.high[k] = column_high * right + row_high * down;
+            k += 1;
+        }
+        this
+    }
+
+    /// Its weights in the block whose first pixel is (x, y).
+    #[inline(always)]
+    pub(crate) fn weights(&self, s: S, x: i32, y: i32) -> Weights<S> {
+        let (px, py) = (i64::from(x * SUBPIXELS + HALF_PIXEL), i64::from(y * SUBPIXELS + HALF_PIXEL));
+        let mut edge = [f32x16::splat(s, 0.0); 3];
+        let mut w = edge;
+        let mut k = 0;
+        while k < 3 {
+            let (a, b) = ((k + 1) % 3, (k + 2) % 3);
+            let (ax, ay) = (i64::from(self.x[a]) - px, i64::from(self.y[a]) - py);
+            let (bx, by) = (i64::from(self.x[b]) - px, i64::from(self.y[b]) - py);
+            let first = f64x8::splat(s, (ax * by - bx * ay) as f64);
+            edge[k] = (self.low[k] + first).narrow(self.high[k] + first);
+            w[k] = f32x16::splat(s, self.inv_w[k]);
+            k += 1;
+        }
+        Weights::from_edges::<false>(edge, edge, edge, w)
+    }
 }
 
 /// One clipped triangle, and which of its vertices as submitted each weight is of.
@@ -227,17 +306,7 @@ pub(crate) fn of_lanes<S: Simd>(vx: [i32x16<S>; 3], vy: [i32x16<S>; 3], inv_w: [
         }
         k += 1;
     }
-    let mut dx = edge;
-    let mut dy = edge;
-    let mut k = 0;
-    while k < 3 {
-        let (a, b) = ((k + 1) % 3, (k + 2) % 3);
-        let (right, down): (f32x16<S>, f32x16<S>) = ((vy[a] - vy[b]).to_float(), (vx[b] - vx[a]).to_float());
-        dx[k] = right * SUBPIXELS as f32;
-        dy[k] = down * SUBPIXELS as f32;
-        k += 1;
-    }
-    Weights::from_edges(edge, dx, dy, inv_w)
+    Weights::from_edges::<false>(edge, edge, edge, inv_w)
 }
 
 #[inline(always)]

@@ -145,8 +145,8 @@ fn barycentric_blocks(painter: &Painter, painting: &Painting<'_>, view: &TileVie
             let run = painting.batch.run_of(id.number());
             let call = &painting.draws[painting.batch.runs[run].draw];
             let position = |vertex: usize| call.position(vertex);
-            let (words, run) = (call.record_words(), &painting.runs[run]);
-            let (values, order) = dispatch!(painting.level, s => coordinates(s, run, words, &position, id, x, y));
+            let (rows, run) = (call.record_rows(), &painting.runs[run]);
+            let (values, order) = dispatch!(painting.level, s => coordinates(s, run, rows, &position, id, x, y));
             for same in lane..16 {
                 if ids[same] == id.0 {
                     done |= 1 << same;
@@ -165,7 +165,7 @@ fn barycentric_blocks(painter: &Painter, painting: &Painting<'_>, view: &TileVie
 fn coordinates<S: Simd>(
     s: S,
     run: &RunView<'_>,
-    words: usize,
+    rows: usize,
     position: &dyn Fn(usize) -> [f32; 4],
     id: TriangleId,
     x: i32,
@@ -177,7 +177,7 @@ fn coordinates<S: Simd>(
     } else {
         let order = ORDERS[id.order_code() as usize & 7].map(usize::from);
         let places = order.map(|k| submitted[k]);
-        (of_triangle(s, run, words, places, x, y, &BlockLanes::new(s)), order)
+        (of_triangle::<S, false>(s, run, rows, places, x, y, &BlockLanes::new(s)), order)
     };
     let [a, b, c] = weights.perspective;
     let sum = (a + b) + c;

@@ -76,7 +76,7 @@ impl Painter {
             hits: Vec::new(),
             visible: Vec::new(),
             packets: Vec::new(),
-            batch: PacketBatch::default(),
+            batch: PacketBatch::new(),
             ordered: Vec::new(),
         }
     }
@@ -104,6 +104,7 @@ impl Painter {
                         if std::mem::take(&mut has_visible) {
                             self.shade_visible(painting, &view);
                             self.keep_shown();
+                            self.tile.id.fill([0; 16]);
                         }
                         self.draw_in_order(painting, share, entries, &view, segment, run);
                     }
@@ -194,7 +195,7 @@ impl Painter {
         }
     }
 
-    /// Notes what was shaded, and empties the visibility buffer.
+    /// Notes what was shaded, if the target asks for it.
     fn keep_shown(&mut self) {
         for (shown, ids) in self.tile.shown.iter_mut().zip(&self.tile.id) {
             for (to, &id) in shown.iter_mut().zip(ids) {
@@ -203,7 +204,6 @@ impl Painter {
                 }
             }
         }
-        self.tile.id.fill([0; 16]);
     }
 
     /// Draws triangles one after the other: those that blend, or may discard, or do not write depth.
@@ -296,7 +296,8 @@ fn collect_visible<S: Simd>(
                     let first = TriangleId::first(batch.runs[run].first_number);
                     mask &= (ids.simd_ge(first) & ids.simd_lt(TriangleId::first(last))).to_bitmask() as u32;
                 }
-                out.push((run as u32, VisiblePacket { block: block as u32, mask }));
+                let (x, y) = (view.x + 4 * bx, view.y + 4 * by);
+                out.push((run as u32, VisiblePacket { block: block as u32, mask, x, y }));
                 rest &= !mask;
             }
             bx += 1;
