@@ -1,0 +1,42 @@
+//! What the shaders draw, and what they know of it at each pixel.
+
+use pineda::{Fragment, Lanes, Mat4, Shader, Vec3, Vec4, shader, varyings};
+
+/// A corner of triangles.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Vertex {
+    /// World space.
+    pub position: [f32; 3],
+    /// World space, of length 1.
+    pub normal: [f32; 3],
+    /// Linear light, straight alpha; multiplies the base colour.
+    pub color: [f32; 4],
+}
+
+varyings! {
+    /// A lit surface at a pixel.
+    pub struct Surface {
+        /// World space.
+        pub position: Vec3,
+        /// World space, interpolated: not quite of length 1.
+        pub normal: Vec3,
+        /// The vertex colour, in linear light.
+        pub color: Vec3,
+    }
+}
+
+/// The vertex stage that [`Lambert`](crate::Lambert) and [`Studio`](crate::Studio) share.
+#[shader]
+pub(crate) fn surface(clip_from_world: Mat4, vertex: &Vertex) -> (Vec4, Surface) {
+    let position = Vec3::from(vertex.position);
+    let [r, g, b, _] = vertex.color;
+    let varyings = Surface { position, normal: vertex.normal.into(), color: [r, g, b].into() };
+    (clip_from_world * position.extend(1.0), varyings)
+}
+
+/// The unit normal of the side that is seen.
+#[shader]
+pub(crate) fn seen_normal<L: Lanes, S: Shader>(f: &Fragment<L, S>, interpolated: Vec3<L>) -> Vec3<L> {
+    let normal = interpolated.normalize();
+    f.front_facing().select(normal, -normal)
+}
