@@ -34,8 +34,11 @@ pub(crate) struct Compare {
     /// How often each renderer has its turn, each time in a fresh process
     #[arg(long, default_value_t = 5, value_parser = clap::value_parser!(u32).range(1..))]
     pub(crate) rounds: u32,
-    /// Timed frames per turn; slow renderers stop earlier, after three seconds but not before five frames
-    #[arg(long, default_value_t = 20, value_parser = clap::value_parser!(u32).range(1..))]
+    /// Seconds of timed frames per turn
+    #[arg(long, default_value_t = 1.0)]
+    pub(crate) seconds: f64,
+    /// Timed frames per turn at most; five are drawn however long they take
+    #[arg(long, default_value_t = 500, value_parser = clap::value_parser!(u32).range(1..))]
     pub(crate) frames: u32,
     /// Write each renderer's picture of each scene to this folder as PNG
     #[arg(long, value_name = "DIR")]
@@ -63,7 +66,7 @@ pub(crate) struct Draw {
     /// Threads for renderers that take their number as a setting (0: all cores)
     #[arg(long, default_value_t = 0)]
     pub(crate) threads: usize,
-    /// Timed frames
+    /// Timed frames at most
     #[arg(long, default_value_t = 20, value_parser = clap::value_parser!(u32).range(1..))]
     pub(crate) frames: u32,
     /// Stop after this many seconds, but not before five frames

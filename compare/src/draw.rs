@@ -1,6 +1,7 @@
 //! One renderer, one scene, this process: warm up, then time frames.
 
 use crate::cli::Draw;
+use crate::machine;
 use crate::measure::{median, minimum};
 use crate::picture;
 use crate::scene::Scene;
@@ -18,6 +19,8 @@ const FEWEST_FRAMES: u32 = 5;
 pub(crate) struct Report {
     pub(crate) version: String,
     pub(crate) frames_ms: Vec<f64>,
+    /// Processor time a frame, all threads together, on average; where the system says it.
+    pub(crate) cpu_ms: Option<f64>,
 }
 
 pub(crate) fn draw(arguments: &Draw) -> Result<()> {
@@ -28,6 +31,7 @@ pub(crate) fn draw(arguments: &Draw) -> Result<()> {
     }
     let mut frames_ms = Vec::with_capacity(arguments.frames as usize);
     let start = Instant::now();
+    let cpu_start = machine::process_cpu_ms();
     for frame in 0..arguments.frames {
         if frame >= FEWEST_FRAMES && start.elapsed().as_secs_f64() > arguments.seconds {
             break;
@@ -36,10 +40,12 @@ pub(crate) fn draw(arguments: &Draw) -> Result<()> {
         backend.draw()?;
         frames_ms.push(1e3 * frame_start.elapsed().as_secs_f64());
     }
+    let cpu_ms = cpu_start.zip(machine::process_cpu_ms());
+    let cpu_ms = cpu_ms.map(|(start, end)| (end - start) / frames_ms.len() as f64);
     if let Some(path) = &arguments.picture {
         picture::write(path, backend.pixels())?;
     }
-    let report = Report { version: backend.version(), frames_ms };
+    let report = Report { version: backend.version(), frames_ms, cpu_ms };
     match &arguments.report {
         Some(path) => {
             let json = serde_json::to_vec(&report)?;
@@ -50,6 +56,9 @@ pub(crate) fn draw(arguments: &Draw) -> Result<()> {
             let (frames, median, least) =
                 (report.frames_ms.len(), median(&report.frames_ms), minimum(&report.frames_ms));
             println!("{}: {frames} frames, median {median:.3} ms, fastest {least:.3} ms", arguments.scene.as_str());
+            if let Some(cpu_ms) = report.cpu_ms {
+                println!("processor time {cpu_ms:.3} ms a frame, all threads together");
+            }
             Ok(())
         }
     }

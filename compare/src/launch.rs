@@ -8,9 +8,6 @@ use anyhow::{Context, Result, ensure};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
-/// Seconds of timed frames after which a slow renderer's turn is over.
-const SECONDS_PER_TURN: f64 = 3.0;
-
 /// A renderer that was found on this machine.
 #[derive(Clone, Debug)]
 pub(crate) struct Found {
@@ -88,7 +85,9 @@ pub(crate) struct Turn<'a> {
     pub(crate) scene: SceneName,
     pub(crate) threads: usize,
     pub(crate) cores: usize,
+    /// At most this many frames in at most about so many seconds.
     pub(crate) frames: u32,
+    pub(crate) seconds: f64,
     pub(crate) picture: Option<&'a Path>,
     /// A folder for what parent and child tell each other.
     pub(crate) scratch: &'a Path,
@@ -101,7 +100,7 @@ impl Turn<'_> {
         let mut command = self.pinned();
         command.args(["draw", "--peer", self.found.peer.as_str(), "--scene", self.scene.as_str()]);
         command.args(["--threads", &self.threads.to_string(), "--frames", &self.frames.to_string()]);
-        command.args(["--seconds", &SECONDS_PER_TURN.to_string()]).arg("--report").arg(&report);
+        command.args(["--seconds", &self.seconds.to_string()]).arg("--report").arg(&report);
         if let Some(picture) = self.picture {
             command.arg("--picture").arg(picture);
         }

@@ -25,12 +25,19 @@ pub(crate) struct Measurement {
     pub(crate) version: String,
     /// Milliseconds a frame, round by round.
     pub(crate) rounds_ms: Vec<Vec<f64>>,
+    /// Processor time a frame, all threads together, round by round.
+    pub(crate) rounds_cpu_ms: Vec<f64>,
 }
 
 impl Measurement {
     /// The median of the rounds' medians.
     pub(crate) fn median_ms(&self) -> f64 {
         median(&self.rounds_ms.iter().map(|frames| median(frames)).collect::<Vec<_>>())
+    }
+
+    /// The median of the rounds' processor times.
+    pub(crate) fn cpu_ms(&self) -> Option<f64> {
+        (!self.rounds_cpu_ms.is_empty()).then(|| median(&self.rounds_cpu_ms))
     }
 
     /// The fastest frame of all.
@@ -91,6 +98,7 @@ pub(crate) fn compare(arguments: &Compare) -> Result<bool> {
                 threads,
                 cores: machine.cores,
                 frames: arguments.frames,
+                seconds: arguments.seconds,
                 picture: (round == 1).then_some(&picture),
                 scratch: &scratch.0,
             };
@@ -101,6 +109,7 @@ pub(crate) fn compare(arguments: &Compare) -> Result<bool> {
                         None => report.version,
                     };
                     measurement.rounds_ms.push(report.frames_ms);
+                    measurement.rounds_cpu_ms.extend(report.cpu_ms);
                 }
                 Err(error) => failures.push(format!("{peer} failed at {scene} with {threads} threads: {error:#}")),
             }
@@ -171,6 +180,7 @@ fn plan(renderers: &[Found], scenes: &[SceneName], thread_counts: &[usize]) -> V
                         threads,
                         version: String::new(),
                         rounds_ms: Vec::new(),
+                        rounds_cpu_ms: Vec::new(),
                     });
                 }
             }

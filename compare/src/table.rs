@@ -1,14 +1,14 @@
-//! The table that people read.
+//! The tables that people read.
 
 use crate::backend::Peer;
 use crate::measure::{Measurement, Results};
 use crate::scene::SceneName;
 
-/// Prints machine, versions, one table per number of threads (Markdown, so that it can be pasted) and the check of the pictures.
+/// Prints machine, versions, tables per number of threads (Markdown, so that they can be pasted) and the check of the pictures.
 pub(crate) fn print(results: &Results) {
     let machine = &results.machine;
     println!("{}, {} cores, {}; {}", machine.cpu, machine.cores, machine.simd, machine.date);
-    println!("1920 x 1080, image in memory; median ms of {} rounds, fastest frame in brackets", results.rounds);
+    println!("1920 x 1080, image in memory; {} rounds", results.rounds);
     let mut versions: Vec<(Peer, &str)> =
         results.measurements.iter().map(|one| (one.peer, one.version.as_str())).collect();
     versions.sort_unstable();
@@ -20,12 +20,16 @@ pub(crate) fn print(results: &Results) {
     counts.sort_unstable_by(|a, b| b.cmp(a));
     counts.dedup();
     for threads in counts {
-        print_table(&results.measurements, threads);
+        println!("\nthreads: {threads}; median ms a frame (fastest frame), ratio of medians");
+        print_table(&results.measurements, threads, time_cell);
+        println!("\nthreads: {threads}; processor time in ms a frame, all threads together, and its ratio");
+        print_table(&results.measurements, threads, cpu_cell);
     }
     print_likenesses(results);
 }
 
-fn print_table(measurements: &[Measurement], threads: usize) {
+/// One row for each scene, one column for each renderer; `cell` is given a measurement and the same one of the first renderer.
+fn print_table(measurements: &[Measurement], threads: usize, cell: fn(&Measurement, Option<&Measurement>) -> String) {
     let of_count = |one: &&Measurement| one.threads == one.peer.useful_threads(threads);
     let mut peers: Vec<Peer> = measurements.iter().filter(of_count).map(|one| one.peer).collect();
     peers.sort_unstable();
@@ -34,7 +38,6 @@ fn print_table(measurements: &[Measurement], threads: usize) {
     scenes.sort_unstable();
     scenes.dedup();
 
-    println!("\nthreads: {threads}");
     let mut rows = vec![vec!["scene".to_owned()]];
     rows[0].extend(peers.iter().map(|&peer| heading(peer, threads)));
     for scene in scenes {
@@ -51,13 +54,19 @@ fn heading(peer: Peer, threads: usize) -> String {
     if useful == threads { peer.as_str().to_owned() } else { format!("{} ({useful} thread)", peer.as_str()) }
 }
 
-/// Median, fastest frame, and how many times slower than the table's first renderer.
-fn cell(one: &Measurement, first: Option<&Measurement>) -> String {
-    let times = format!("{:.2} ({:.2})", one.median_ms(), one.minimum_ms());
-    match first {
-        Some(first) if first.peer != one.peer => format!("{times} {:.1}x", one.median_ms() / first.median_ms()),
-        _ => times,
-    }
+fn time_cell(one: &Measurement, first: Option<&Measurement>) -> String {
+    let ratio = first.filter(|first| first.peer != one.peer).map(|first| one.median_ms() / first.median_ms());
+    format!("{:.2} ({:.2}){}", one.median_ms(), one.minimum_ms(), ratio_text(ratio))
+}
+
+fn cpu_cell(one: &Measurement, first: Option<&Measurement>) -> String {
+    let Some(cpu_ms) = one.cpu_ms() else { return "unknown".to_owned() };
+    let first = first.filter(|first| first.peer != one.peer).and_then(Measurement::cpu_ms);
+    format!("{cpu_ms:.2}{}", ratio_text(first.map(|first| cpu_ms / first)))
+}
+
+fn ratio_text(ratio: Option<f64>) -> String {
+    ratio.map_or_else(String::new, |ratio| format!(" {ratio:.1}x"))
 }
 
 /// The first row is the heading; all columns but the first are numbers.

@@ -1,6 +1,7 @@
 //! One file per renderer, behind one trait.
 
 mod euc;
+#[cfg(feature = "pineda")]
 mod pineda;
 #[cfg(feature = "vulkan")]
 mod vulkan;
@@ -41,7 +42,7 @@ impl Peer {
     /// Loads a scene into the renderer, in this process. `threads` matters to renderers that take it as a setting; the others are told by their environment.
     pub(crate) fn load(self, scene: &Scene, threads: usize) -> Result<Box<dyn Backend>> {
         match self {
-            Self::Pineda => Ok(Box::new(pineda::Pineda::new(scene, threads)?)),
+            Self::Pineda => pineda_backend(scene, threads),
             Self::Lavapipe | Self::Swiftshader => vulkan_backend(scene),
             Self::Euc => Ok(Box::new(euc::Euc::new(scene))),
         }
@@ -61,6 +62,16 @@ impl Peer {
             Self::Euc => "euc",
         }
     }
+}
+
+#[cfg(feature = "pineda")]
+fn pineda_backend(scene: &Scene, threads: usize) -> Result<Box<dyn Backend>> {
+    Ok(Box::new(pineda::Pineda::new(scene, threads)?))
+}
+
+#[cfg(not(feature = "pineda"))]
+fn pineda_backend(_: &Scene, _: usize) -> Result<Box<dyn Backend>> {
+    anyhow::bail!("this build has no pineda; build with the feature `pineda`")
 }
 
 #[cfg(feature = "vulkan")]

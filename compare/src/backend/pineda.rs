@@ -12,17 +12,14 @@ pub(super) struct Pineda {
     renderer: Renderer,
     scene: Scene,
     pixels: Vec<[u8; 4]>,
-    depth: Vec<f32>,
 }
 
 impl Pineda {
     pub(super) fn new(scene: &Scene, threads: usize) -> Result<Self> {
-        let size = (WIDTH * HEIGHT) as usize;
         Ok(Self {
             renderer: Renderer::new(Settings { threads, ..Settings::default() })?,
             scene: scene.clone(),
-            pixels: vec![[0; 4]; size],
-            depth: vec![0.0; size],
+            pixels: vec![[0; 4]; (WIDTH * HEIGHT) as usize],
         })
     }
 }
@@ -48,11 +45,8 @@ impl Backend for Pineda {
                 pass.draw(&lit, mesh, DrawState { cull: Cull::Back, ..DrawState::default() })
             }
         };
-        let mut target = Target {
-            color: ColorBuffer::Rgba8(&mut self.pixels),
-            depth: Some(&mut self.depth),
-            ..Target::new(WIDTH, HEIGHT)
-        };
+        let color = ColorBuffer::Rgba8(&mut self.pixels);
+        let mut target = Target { color, ..Target::new(WIDTH, HEIGHT) };
         self.renderer.render(&pass, &mut target)?;
         Ok(())
     }

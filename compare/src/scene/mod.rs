@@ -13,6 +13,7 @@ pub(crate) const WIDTH: u32 = 1920;
 /// Height of every scene's picture in pixels.
 pub(crate) const HEIGHT: u32 = 1080;
 /// Every picture is cleared to opaque black, which is the same code in any rounding.
+#[cfg(any(feature = "pineda", feature = "vulkan"))]
 pub(crate) const CLEAR_COLOR: [f32; 4] = [0.0, 0.0, 0.0, 1.0];
 /// The same as 8-bit codes, for backends that clear memory themselves.
 pub(crate) const CLEAR_CODES: [u8; 4] = [0, 0, 0, 255];
