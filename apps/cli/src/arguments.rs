@@ -55,7 +55,7 @@ pub(crate) enum Command {
 ///
 /// The file names a size, a space, vertices and triangles; without a file it draws tutorial 1's own triangle, 512 x 512.
 #[derive(Args, Debug)]
-#[command(after_help = RASTER_EXAMPLES, after_long_help = RASTER_LONG_HELP)]
+#[command(after_help = RASTER_EXAMPLES, after_long_help = RASTER_LONG_HELP, args_override_self = true)]
 pub(crate) struct RasterArguments {
     /// The triangles, as JSON
     #[arg(value_name = "FILE.json")]
@@ -118,7 +118,7 @@ docs/raster-json.md has the whole of it."#;
 ///
 /// Reads OBJ, STL (ASCII, binary), PLY (ASCII, binary), glTF and GLB. The whole model is in the picture.
 #[derive(Args, Debug)]
-#[command(after_help = RENDER_EXAMPLES)]
+#[command(after_help = RENDER_EXAMPLES, args_override_self = true)]
 pub(crate) struct RenderArguments {
     /// The model: .obj, .stl, .ply, .gltf or .glb
     #[arg(value_name = "MODEL")]

@@ -175,6 +175,7 @@ fn parse(text: &[u8]) -> Result<Drawing, Wrong> {
     let has_depth = file.vertices.iter().any(|v| v.depth.is_some() || v.position.0.len() > 2);
     let vertices: Result<Vec<Vertex>, Wrong> =
         file.vertices.iter().enumerate().map(|(i, field)| vertex(i, field, file.space)).collect();
+    let vertices = vertices?;
     let triangles = match file.triangles {
         Some(triangles) => triangles,
         None if !count.is_multiple_of(3) => {
@@ -198,13 +199,10 @@ fn parse(text: &[u8]) -> Result<Drawing, Wrong> {
             }
         }
     }
-    if !file.background.iter().all(|c| c.is_finite()) {
-        return wrong("background", OVERFLOW);
-    }
     Ok(Drawing {
         size: file.size.0,
         space: if file.space == SpaceField::Raster { Space::Raster } else { Space::Clip },
-        vertices: vertices?,
+        vertices,
         triangles,
         cull: match file.cull {
             CullField::None => Cull::None,
@@ -219,8 +217,6 @@ fn parse(text: &[u8]) -> Result<Drawing, Wrong> {
         background: file.background,
     })
 }
-
-const OVERFLOW: &str = "a number is too large for 32-bit floating point";
 
 fn vertex(i: usize, field: &VertexField, space: SpaceField) -> Result<Vertex, Wrong> {
     let row = &field.position.0;
@@ -242,8 +238,8 @@ fn vertex(i: usize, field: &VertexField, space: SpaceField) -> Result<Vertex, Wr
     if let Some(Row(given)) = &field.color {
         color[..given.len()].copy_from_slice(given);
     }
-    if !position.iter().chain(&color).all(|number| number.is_finite()) {
-        return wrong(format!("vertices[{i}]"), OVERFLOW);
+    if !position.iter().all(|number| number.is_finite()) {
+        return wrong(format!("vertices[{i}]"), "the position times w is too large for 32-bit floating point");
     }
     if space != SpaceField::Clip && w <= 0.0 {
         return wrong(
@@ -313,8 +309,10 @@ mod tests {
         assert!(vertices(r#"{"position": [1]}"#).contains("1 numbers, expected 2 to 4"));
         assert!(vertices(r#"{"position": [1, 2, 3], "depth": 1}"#).contains("give it once"));
         assert!(vertices(r#"{"position": [1, 2], "w": 0}"#).contains("above 0"));
-        assert!(vertices(r#"{"position": [1, 1e39]}"#).contains("too large"));
+        assert!(vertices(r#"{"position": [1, 1e39]}"#).contains("number out of range"));
         assert!(vertices(r#"{"position": [1, 2], "color": [1, 2]}"#).contains("expected 3 to 4"));
+        let ndc = r#"{"size": [4, 4], "space": "ndc", "vertices": [{"position": [1e20, 1], "w": 1e20}]}"#;
+        assert!(message(ndc).contains("vertices[0]: the position times w is too large"));
         assert!(vertices(r#"{"position": [1, NaN]}"#).contains("line 1 column"));
     }
 }

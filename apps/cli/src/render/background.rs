@@ -6,8 +6,8 @@ use crate::values::{Background, Size};
 
 /// Light of the studio's paper where it is brightest and where it is darkest: greys with a little blue, between which
 /// white things stand out as well as dark ones.
-const BRIGHT: [f32; 3] = [0.52, 0.545, 0.58];
-const DARK: [f32; 3] = [0.13, 0.15, 0.185];
+const BRIGHT: [f32; 3] = [0.60, 0.62, 0.65];
+const DARK: [f32; 3] = [0.19, 0.21, 0.245];
 
 /// Puts a background behind pixels with straight alpha, in linear light.
 pub(crate) fn behind(pixels: Vec<[u8; 4]>, size: Size, background: Background) -> Pixels {
