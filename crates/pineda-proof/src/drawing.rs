@@ -1,0 +1,124 @@
+//! A case drawn, with everything that a target can hold.
+
+use crate::{Probe, ProbeVertex};
+use pineda::{ColorBuffer, DrawState, Indices, Mesh, Pass, Renderer, Space, Statistics, Target};
+use pineda_oracle::cases::{self, Case, Random, orders};
+
+/// All outputs of a target, row by row from the top.
+#[derive(Clone, Debug)]
+pub struct Drawing {
+    /// Pixels across.
+    pub width: u32,
+    /// Pixels down.
+    pub height: u32,
+    /// [`Probe`]'s colours: two varyings with perspective, two without.
+    pub color: Vec<[f32; 4]>,
+    /// As [`Target::depth`].
+    pub depth: Vec<f32>,
+    /// As [`Target::triangle_ids`].
+    pub triangle_ids: Vec<u32>,
+    /// As [`Target::draw_ids`].
+    pub draw_ids: Vec<u32>,
+    /// As [`Target::barycentrics`].
+    pub barycentrics: Vec<[f32; 3]>,
+    /// As [`Target::hits`].
+    pub hits: Vec<u32>,
+    /// What became of the triangles.
+    pub statistics: Statistics,
+}
+
+impl Drawing {
+    /// Draws a pass to a new target.
+    ///
+    /// # Errors
+    /// What the renderer says.
+    pub fn of(renderer: &mut Renderer, pass: &Pass<'_>, width: u32, height: u32) -> Result<Self, pineda::Error> {
+        let pixels = width as usize * height as usize;
+        let mut drawing = Self {
+            width,
+            height,
+            color: vec![[0.0; 4]; pixels],
+            depth: vec![0.0; pixels],
+            triangle_ids: vec![0; pixels],
+            draw_ids: vec![0; pixels],
+            barycentrics: vec![[0.0; 3]; pixels],
+            hits: vec![0; pixels],
+            statistics: Statistics::default(),
+        };
+        drawing.draw_over(renderer, pass)?;
+        Ok(drawing)
+    }
+
+    /// Draws one more pass to the same buffers.
+    ///
+    /// # Errors
+    /// What the renderer says.
+    pub fn draw_over(&mut self, renderer: &mut Renderer, pass: &Pass<'_>) -> Result<(), pineda::Error> {
+        let mut target = Target {
+            color: ColorBuffer::Rgba32F(&mut self.color),
+            depth: Some(&mut self.depth),
+            triangle_ids: Some(&mut self.triangle_ids),
+            draw_ids: Some(&mut self.draw_ids),
+            barycentrics: Some(&mut self.barycentrics),
+            hits: Some(&mut self.hits),
+            ..Target::new(self.width, self.height)
+        };
+        self.statistics = renderer.render(pass, &mut target)?;
+        Ok(())
+    }
+
+    /// The first pixel where two drawings are not the same bits, in words.
+    pub fn difference(&self, other: &Self) -> Option<String> {
+        let bits = |d: &Self, at: usize| -> (Vec<u32>, Vec<u32>, Vec<u32>) {
+            let float = |values: &[f32]| values.iter().map(|v| v.to_bits()).collect::<Vec<_>>();
+            let numbers = vec![d.triangle_ids[at], d.draw_ids[at], d.hits[at], d.depth[at].to_bits()];
+            (numbers, float(&d.color[at]), float(&d.barycentrics[at]))
+        };
+        let at = (0..self.color.len()).find(|&at| bits(self, at) != bits(other, at))?;
+        let say = |d: &Self| {
+            format!(
+                "triangle {} of draw {}, {} hits, depth {:?}, colour {:?}, barycentrics {:?}",
+                d.triangle_ids[at], d.draw_ids[at], d.hits[at], d.depth[at], d.color[at], d.barycentrics[at]
+            )
+        };
+        let (x, y) = (at % self.width as usize, at / self.width as usize);
+        Some(format!("pixel ({x}, {y}): {} against {}", say(self), say(other)))
+    }
+}
+
+/// Draws a case with the corners of each triangle in one of the six [`orders`]. The barycentric coordinates come back in the order of the
+/// case, whichever the order that was drawn.
+pub fn draw_case(renderer: &mut Renderer, case: &Case, order: usize, state: DrawState) -> Result<Drawing, String> {
+    let vertices = vertices(case);
+    let indices: Vec<u32> = case.triangles.iter().flat_map(|&triangle| orders(triangle)[order]).collect();
+    let state = DrawState { space: space(case), ..state };
+    let mut pass = Pass::new();
+    pass.draw(&Probe, Mesh { vertices: &vertices, indices: Indices::U32(&indices) }, state);
+    let mut drawing = Drawing::of(renderer, &pass, case.width, case.height).map_err(|error| error.to_string())?;
+    let place = orders([0, 1, 2])[order];
+    for weights in &mut drawing.barycentrics {
+        let drawn = *weights;
+        place.iter().zip(drawn).for_each(|(&corner, weight)| weights[corner as usize] = weight);
+    }
+    Ok(drawing)
+}
+
+/// The vertices of a case with attributes in -1 to 1 that its seed determines.
+pub(crate) fn vertices(case: &Case) -> Vec<ProbeVertex> {
+    let mut random = Random::new(!case.seed);
+    let mut attribute = || random.real(-1.0, 1.0);
+    let vertex = |&position: &[f32; 4]| ProbeVertex {
+        position,
+        smooth: [attribute(), attribute()],
+        linear: [attribute(), attribute()],
+    };
+    case.vertices.iter().map(vertex).collect()
+}
+
+/// The space that a case's positions are in.
+fn space(case: &Case) -> Space {
+    match case.space {
+        cases::Space::Raster => Space::Raster,
+        cases::Space::Clip => Space::Clip,
+    }
+}

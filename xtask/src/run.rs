@@ -1,0 +1,48 @@
+//! Running cargo, and the programs that do a task's work.
+
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+/// The repository.
+pub(crate) fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("xtask is a folder of the repository").to_path_buf()
+}
+
+/// The cargo that runs this.
+pub(crate) fn cargo() -> Command {
+    let mut command = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
+    command.current_dir(root());
+    command
+}
+
+/// Runs a command to its end.
+///
+/// # Errors
+/// The command cannot be started, or fails; it has said why itself.
+pub(crate) fn run(command: &mut Command) -> Result<(), String> {
+    let name = command.get_program().to_string_lossy().into_owned();
+    match command.status() {
+        Ok(status) if status.success() => Ok(()),
+        Ok(status) => Err(format!("`{name}` failed ({status})")),
+        Err(error) => Err(format!("`{name}` cannot be started: {error}")),
+    }
+}
+
+/// `cargo xtask prove`.
+pub(crate) fn prove(arguments: &[String]) -> Result<(), String> {
+    run(cargo()
+        .args(["run", "--quiet", "--release", "--package", "pineda-proof", "--bin", "prove", "--"])
+        .args(arguments))
+}
+
+/// `cargo xtask compare`: a workspace of its own, whose dependencies are no part of this one.
+pub(crate) fn compare(arguments: &[String]) -> Result<(), String> {
+    let folder = root().join("compare");
+    run(cargo().current_dir(&folder).args(["run", "--release", "--"]).args(arguments)).map_err(|problem| {
+        format!(
+            "{problem}\nThe peers: `apt-get install mesa-vulkan-drivers libvulkan1` for lavapipe, `apt-get install chromium` for SwiftShader's \
+             library; euc is a crate. {}/README.md says where they are looked for.",
+            folder.display()
+        )
+    })
+}
