@@ -90,6 +90,7 @@ pub mod shading;
 mod target;
 mod tile;
 mod transpose;
+mod wide;
 
 pub use error::Error;
 pub use pass::{

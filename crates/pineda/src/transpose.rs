@@ -1,6 +1,6 @@
 //! Turning vectors of one field for sixteen triangles into rows of one triangle's fields.
 
-use fearless_simd::{Simd, prelude::*, u32x16};
+use crate::wide::{Simd, u32x16};
 
 /// Sixteen vectors of sixteen lanes, transposed: four perfect shuffles of the vectors' halves.
 #[inline(always)]

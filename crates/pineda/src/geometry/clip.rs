@@ -185,7 +185,7 @@ mod tests {
         let mut padded = [positions[0]; 16];
         padded[..3].copy_from_slice(&positions);
         let mut out = [ScreenVertex::default(); 16];
-        fearless_simd::dispatch!(fearless_simd::Level::fallback(), s => projection.project(s, &padded, &mut out));
+        crate::wide::dispatch!(fearless_simd::Level::fallback(), s => projection.project(s, &padded, &mut out));
         [out[0], out[1], out[2]]
     }
 

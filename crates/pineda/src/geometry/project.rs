@@ -11,7 +11,7 @@
 use super::raster_space::{GUARD_BAND, OFF_RASTER, SUBPIXELS, ScreenVertex};
 use crate::pass::{Space, Viewport};
 use crate::transpose::columns4;
-use fearless_simd::{Simd, f32x16, f64x8, i32x16, i64x8, mask32x16, prelude::*, u32x16};
+use crate::wide::{Simd, f32x16, f64x8, i32x16, i64x8, mask32x16, u32x16};
 
 /// The planes that a vertex can lie outside of, one bit each; what [`ScreenVertex::outcode`] holds.
 pub(crate) mod outcode {

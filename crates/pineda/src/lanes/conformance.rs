@@ -2,7 +2,8 @@
 //! [`Scalar`]. A NaN may have any sign and payload; everything else must agree in each bit.
 
 use super::{Lanes, Packet, Scalar};
-use fearless_simd::{Level, Simd, dispatch};
+use crate::wide::dispatch;
+use fearless_simd::{Level, Simd};
 
 /// The levels that this CPU has, from plain arrays up.
 pub(crate) fn levels() -> Vec<Level> {

@@ -18,7 +18,6 @@
 //!   the machine.
 
 mod packet;
-mod plain;
 mod scalar;
 
 #[cfg(test)]

@@ -8,7 +8,8 @@ use crate::math::{Rgba, Vec4};
 use crate::shading::packet::{PacketBatch, VaryingLayout};
 use crate::shading::run::{RECORD_HEADER, Source, record_rows};
 use crate::shading::{Closure, ClosureFragment, FragmentKind, Native, Shader, Varyings, native};
-use fearless_simd::{Level, Simd, dispatch};
+use crate::wide::{Simd, dispatch};
+use fearless_simd::Level;
 
 /// A mesh, a shader and a state.
 pub(crate) trait DrawCall: Sync {

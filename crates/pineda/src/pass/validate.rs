@@ -3,7 +3,8 @@
 use super::draw_call::DrawCall;
 use super::{Indices, Pass};
 use crate::{Error, parallel};
-use fearless_simd::{Level, dispatch};
+use crate::wide::dispatch;
+use fearless_simd::Level;
 use std::sync::{Mutex, PoisonError};
 
 /// What planning needs of a draw: how many triangles, and which of its vertices they name.

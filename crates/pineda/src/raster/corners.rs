@@ -2,7 +2,7 @@
 
 use crate::geometry::raster_space::ScreenVertex;
 use crate::transpose::columns4;
-use fearless_simd::{Simd, f32x16, i32x16, prelude::*, u32x4, u32x16};
+use crate::wide::{Simd, f32x16, i32x16, u32x4, u32x16};
 
 /// Where the shaded vertices of a run of triangles stand.
 #[derive(Clone, Copy, Debug)]

@@ -19,7 +19,7 @@ use crate::geometry::clip::{Clipped, clip};
 use crate::geometry::project::{Projection, outcode};
 use crate::geometry::raster_space::{HALF_PIXEL, OFF_RASTER, SUBPIXEL_BITS, SUBPIXELS, ScreenVertex};
 use crate::transpose::{transpose8, transpose16};
-use fearless_simd::{Simd, f32x16, i32x16, mask32x16, prelude::*, u32x16};
+use crate::wide::{Simd, f32x16, i32x16, mask32x16, u32x16};
 
 /// A rectangle of pixels: left and top inside, right and bottom outside.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -17,7 +17,7 @@
 //! Setup applies the rule once, by taking 1 from the edge functions of the other edges: for integers, `E > 0` is `E - 1 >= 0`,
 //! and from there on a sample is inside where all three are `>= 0`.
 
-use fearless_simd::{Simd, i32x16, mask32x16, prelude::*};
+use crate::wide::{Simd, i32x16, mask32x16};
 
 /// Whether the edge with these differences, of a triangle in clockwise order on the picture, is a top or a left edge.
 #[inline(always)]

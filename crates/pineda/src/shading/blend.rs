@@ -2,7 +2,7 @@
 
 use crate::pass::Blend;
 use crate::target::format::Channels;
-use fearless_simd::{Simd, f32x16, prelude::*};
+use crate::wide::{Simd, f32x16};
 
 /// The colour to be stored: `source` over `target`, both decoded, in linear light.
 #[inline(always)]

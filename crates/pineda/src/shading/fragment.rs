@@ -208,7 +208,7 @@ mod tests {
     use crate::lanes::conformance::levels;
     use crate::lanes::{Packet, Scalar};
     use crate::math::Vec2;
-    use fearless_simd::dispatch;
+    use crate::wide::dispatch;
 
     enum Anything {}
 

@@ -23,7 +23,7 @@ use crate::geometry::raster_space::{HALF_PIXEL, SUBPIXELS};
 use crate::raster::triangle_id::{CLIPPED_CLOCKWISE, ORDER_BITS, TriangleId};
 use crate::tile::view::BlockLanes;
 use crate::transpose::columns4;
-use fearless_simd::{Simd, f32x16, i32x16, mask32x16, prelude::*, u32x4, u32x16};
+use crate::wide::{Simd, f32x16, i32x16, mask32x16, u32x4, u32x16};
 
 /// Up to this many triangles are taken in turn; more are gathered lane by lane.
 const FEW: usize = 4;
@@ -360,7 +360,8 @@ fn many<S: Simd>(
     let mut lane = 0;
     while lane < 16 {
         let [a, b, c] = run.places(TriangleId(id[lane]));
-        (submitted[0][lane], submitted[1][lane], submitted[2][lane]) = (a as u32, b as u32, c as u32);
+        let [a, b, c] = [(a * each) as u32, (b * each) as u32, (c * each) as u32];
+        (submitted[0][lane], submitted[1][lane], submitted[2][lane]) = (a, b, c);
         lane += 1;
     }
     let [a, b, c] = [
@@ -374,9 +375,9 @@ fn many<S: Simd>(
     let second = first_is_1.select(c, first_is_2.select(a, b));
     let third = first_is_1.select(a, first_is_2.select(b, c));
     let places: [[u32; 16]; 3] = [
-        (first_is_1.select(b, first_is_2.select(c, a)) * each as u32).into(),
-        (counter_clockwise.select(third, second) * each as u32).into(),
-        (counter_clockwise.select(second, third) * each as u32).into(),
+        first_is_1.select(b, first_is_2.select(c, a)).into(),
+        counter_clockwise.select(third, second).into(),
+        counter_clockwise.select(second, third).into(),
     ];
     // The first row of each record holds x, y, 1 / w and the first varying.
     let (mut a, mut b, mut c) =

@@ -7,7 +7,7 @@ use crate::lanes::Packet;
 use crate::math::{Bool, Real};
 use crate::raster::triangle_id::{CLIPPED_CLOCKWISE, ORDER_BITS};
 use crate::tile::view::BlockLanes;
-use fearless_simd::{Simd, i32x16, mask32x16, prelude::*, u32x16};
+use crate::wide::{Simd, i32x16, mask32x16, u32x16};
 
 /// Packets that go through the fragment stage at a time.
 pub(crate) const BATCH: usize = 16;

@@ -9,7 +9,8 @@ use crate::target::format::{Channels, TileColor};
 use crate::tile::Tile;
 use crate::tile::sink::{AnyCompare, DepthTest};
 use crate::tile::view::{BlockLanes, TileView};
-use fearless_simd::{Level, Simd, f32x16, i32x16, mask32x16, prelude::*, u32x16};
+use crate::wide::{Simd, f32x16, i32x16, mask32x16, u32x16};
+use fearless_simd::Level;
 
 /// The samples of a block that show triangles of one draw.
 #[derive(Clone, Copy, Debug)]

@@ -19,7 +19,7 @@ use crate::geometry::raster_space::{HALF_PIXEL, SUBPIXELS};
 use crate::raster::triangle_id::TriangleId;
 use crate::shading::run::RunView;
 use crate::tile::view::BlockLanes;
-use fearless_simd::{Simd, f32x16, f64x8, i32x16, mask32x16, prelude::*};
+use crate::wide::{Simd, f32x16, f64x8, i32x16, mask32x16};
 
 /// Coordinates relative to a block's first sample up to which edge functions in the block fit i32: 2 (2^15)^2 = 2^31, less what the
 /// block's 3 pixels add.

@@ -2,7 +2,7 @@
 
 use super::srgb::SRGB;
 use super::{ColorBuffer, Target};
-use fearless_simd::{Simd, f32x16, i32x16, mask32x16, prelude::*, u32x16};
+use crate::wide::{Simd, f32x16, i32x16, mask32x16, u32x16};
 
 /// A format of [`ColorBuffer`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -7,7 +7,7 @@ use super::small::small;
 use super::view::{BlockLanes, TileView};
 use crate::raster::bins::{BinEntry, Kind, Share};
 use crate::raster::setup::PixelRect;
-use fearless_simd::Simd;
+use crate::wide::Simd;
 
 /// A small record is touched this many entries before it is needed: the loop's branches depend on it, and cannot run ahead of it.
 const READ_AHEAD: usize = 12;

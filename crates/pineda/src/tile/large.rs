@@ -9,7 +9,7 @@ use super::view::{BlockLanes, TileView};
 use crate::geometry::raster_space::{HALF_PIXEL, SUBPIXEL_BITS, SUBPIXELS};
 use crate::raster::record::{DepthPlane, LargeTriangle, SampleBox};
 use crate::raster::setup::PixelRect;
-use fearless_simd::{Simd, f32x16, i32x16, mask32x16, prelude::*};
+use crate::wide::{Simd, f32x16, i32x16, mask32x16};
 
 /// The side of a window in blocks, and in samples.
 const WINDOW_BLOCKS: i32 = 4;

@@ -10,7 +10,7 @@ use super::view::{BlockLanes, TileView};
 use crate::geometry::raster_space::SUBPIXELS;
 use crate::raster::record::{DepthPlane, MidTriangle, SampleBox};
 use crate::raster::setup::PixelRect;
-use fearless_simd::{Simd, f32x16, i32x16, mask32x16, prelude::*, u32x16};
+use crate::wide::{Simd, f32x16, i32x16, mask32x16, u32x16};
 
 /// The worklist is flushed when it holds more blocks than this.
 const FULL: usize = 240;

@@ -7,7 +7,7 @@ use crate::shading::run::RunView;
 use crate::shading::weights::{Weights, of_clipped, of_triangle};
 use crate::target::bands::TileRows;
 use crate::target::{ColorBuffer, NO_ID};
-use fearless_simd::{Simd, dispatch};
+use crate::wide::{Simd, dispatch};
 
 /// Loads what the tile does not clear.
 pub(crate) fn load(painter: &mut Painter, painting: &Painting<'_>, view: &TileView, row: usize) {

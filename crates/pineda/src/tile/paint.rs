@@ -15,7 +15,8 @@ use crate::shading::packet::PacketBatch;
 use crate::shading::shade::{OrderedPacket, Shading, VisiblePacket, shade_in_order, shade_visible};
 use crate::target::bands::Bands;
 use crate::target::format::{ColorFormat, TileColor};
-use fearless_simd::{Level, Simd, dispatch, f32x16, mask32x16, prelude::*, u32x16};
+use crate::wide::{Simd, dispatch, f32x16, mask32x16, u32x16};
+use fearless_simd::Level;
 
 /// A batch that is ready to be painted, and what it is painted on.
 pub(crate) struct Painting<'a> {

@@ -2,7 +2,7 @@
 
 use super::Tile;
 use crate::pass::Compare;
-use fearless_simd::{Simd, f32x16, i32x16, mask32x16, prelude::*, u32x16};
+use crate::wide::{Simd, f32x16, i32x16, mask32x16, u32x16};
 
 /// Takes the covered samples of blocks, triangle by triangle, in submission order.
 pub(crate) trait Sink<S: Simd> {

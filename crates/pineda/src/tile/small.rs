@@ -4,7 +4,7 @@ use super::sink::Sink;
 use super::view::{BlockLanes, TileView};
 use crate::geometry::raster_space::SUBPIXELS;
 use crate::raster::record::SmallTriangle;
-use fearless_simd::{Simd, f32x16, mask32x16, prelude::*};
+use crate::wide::{Simd, f32x16, mask32x16};
 
 /// Hands over the samples of a small triangle: those of one block mostly, of four at the most.
 #[inline(always)]

@@ -1,7 +1,7 @@
 //! Where a tile lies, and how its blocks are numbered.
 
 use crate::raster::setup::PixelRect;
-use fearless_simd::{Simd, f32x16, i32x16, mask32x16, prelude::*};
+use crate::wide::{Simd, f32x16, i32x16, mask32x16};
 
 /// A tile's place in the picture and the shape of its buffers.
 #[derive(Clone, Copy, Debug)]

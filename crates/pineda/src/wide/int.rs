@@ -1,0 +1,180 @@
+//! Integers.
+
+use super::float::f32x16;
+use super::level::Simd;
+use super::mask::{Words, mask32x16};
+use super::plain;
+use fearless_simd::prelude::*;
+
+vector! {
+    /// Sixteen `i32`.
+    pub struct i32x16: [i32; 16]
+}
+vector! {
+    /// Sixteen `u32`.
+    pub(crate) struct u32x16: [u32; 16]
+}
+vector! {
+    /// Eight `i64`.
+    pub(crate) struct i64x8: [i64; 8]
+}
+vector! {
+    /// Eight `u32`.
+    pub(crate) struct u32x8: [u32; 8]
+}
+vector! {
+    /// Four `u32`.
+    pub(crate) struct u32x4: [u32; 4]
+}
+
+splat! { i32x16: i32; u32x16: u32; }
+from_slice! { i32x16: i32; u32x16: u32; }
+store_slice! { i32x16: i32; u32x16: u32; }
+words! { i32x16 }
+words! { u32x16 }
+compress! { i32x16 u32x16 }
+
+operators! { i32x16, 16:
+    Add::add = |a, b| a.wrapping_add(b);
+    Sub::sub = |a, b| a.wrapping_sub(b);
+    Mul::mul = |a, b| a.wrapping_mul(b);
+    BitAnd::bitand = |a, b| a & b;
+    BitOr::bitor = |a, b| a | b;
+    BitXor::bitxor = |a, b| a ^ b;
+    // By as many bits as the other vector says, lane by lane; below 32.
+    Shl::shl = |a, b| a.wrapping_shl(b as u32);
+}
+operators! { u32x16, 16:
+    Add::add = |a, b| a.wrapping_add(b);
+    Sub::sub = |a, b| a.wrapping_sub(b);
+    Mul::mul = |a, b| a.wrapping_mul(b);
+    BitAnd::bitand = |a, b| a & b;
+    BitOr::bitor = |a, b| a | b;
+}
+operators! { i64x8, 8: Sub::sub = |a, b| a.wrapping_sub(b); }
+scalar_operators! { i32x16, i32: Add::add Sub::sub Mul::mul BitAnd::bitand BitOr::bitor BitXor::bitxor }
+scalar_operators! { u32x16, u32: Add::add Sub::sub Mul::mul BitAnd::bitand BitOr::bitor }
+unary_operators! { i32x16, 16: Neg::neg = |a| a.wrapping_neg(); }
+shifts! { i32x16 }
+shifts! { u32x16 }
+
+methods! { i32x16, 16:
+    /// The smaller of the two.
+    min = |a, b| if a < b { a } else { b };
+    /// The larger of the two.
+    max = |a, b| if a > b { a } else { b };
+}
+
+comparisons! { i32x16, 16, mask32x16, i32:
+    simd_lt = <;
+    simd_le = <=;
+    simd_gt = >;
+    simd_ge = >=;
+    simd_eq = ==;
+}
+comparisons! { u32x16, 16, mask32x16, i32:
+    simd_lt = <;
+    simd_gt = >;
+    simd_ge = >=;
+    simd_eq = ==;
+}
+
+impl<S: Simd> i32x16<S> {
+    /// The nearest `f32`, ties to even.
+    #[inline(always)]
+    pub(crate) fn to_float(self) -> f32x16<S> {
+        by_level!(
+            {
+                let a = self.lanes();
+                f32x16::simd_from(self.token(), each_lane!(16, |a| a as f32))
+            },
+            f32x16(fearless_simd::f32x16::float_from(self.0))
+        )
+    }
+
+    /// The whole products of the first and of the last eight lanes.
+    #[inline(always)]
+    pub(crate) fn widening_mul(self, other: Self) -> (i64x8<S>, i64x8<S>) {
+        by_level!(
+            {
+                let ((a, b), (c, d)) = (plain::halves(self.lanes()), plain::halves(other.lanes()));
+                let simd = self.token();
+                (
+                    i64x8::simd_from(simd, each_lane!(8, |a, c| i64::from(a) * i64::from(c))),
+                    i64x8::simd_from(simd, each_lane!(8, |b, d| i64::from(b) * i64::from(d))),
+                )
+            },
+            {
+                let (low, high) = self.0.widening_mul(other.0);
+                (i64x8(low), i64x8(high))
+            }
+        )
+    }
+}
+
+impl<S: Simd> u32x16<S> {
+    /// The lanes of both in turn: those of the first halves, and those of the second halves.
+    #[inline(always)]
+    pub(crate) fn interleave(self, other: Self) -> (Self, Self) {
+        by_level!(
+            {
+                let (low, high) = plain::interleave(self.lanes(), other.lanes());
+                (Self::simd_from(self.token(), low), Self::simd_from(self.token(), high))
+            },
+            {
+                let (low, high) = self.0.interleave(other.0);
+                (Self(low), Self(high))
+            }
+        )
+    }
+
+    /// The even lanes of one, then of the other.
+    #[inline(always)]
+    pub(crate) fn unzip_low(self, other: Self) -> Self {
+        by_level!(
+            Self::simd_from(self.token(), plain::every_second(self.lanes(), other.lanes(), 0)),
+            Self(self.0.unzip_low(other.0))
+        )
+    }
+
+    /// The odd lanes of one, then of the other.
+    #[inline(always)]
+    pub(crate) fn unzip_high(self, other: Self) -> Self {
+        by_level!(
+            Self::simd_from(self.token(), plain::every_second(self.lanes(), other.lanes(), 1)),
+            Self(self.0.unzip_high(other.0))
+        )
+    }
+}
+
+impl<S: Simd> i64x8<S> {
+    /// The low words of its lanes and then of those of `high`.
+    #[inline(always)]
+    pub(crate) fn narrow(self, high: Self) -> i32x16<S> {
+        by_level!(
+            {
+                let (a, b) = (self.lanes(), high.lanes());
+                let lanes: [i32; 16] = plain::combine(each_lane!(8, |a| a as i32), each_lane!(8, |b| b as i32));
+                i32x16::simd_from(self.token(), lanes)
+            },
+            i32x16(self.0.narrow(high.0))
+        )
+    }
+}
+
+macro_rules! combine {
+    ($($half:ident => $whole:ident;)+) => {$(
+        impl<S: Simd> $half<S> {
+            /// Its lanes and then those of `high`.
+            #[inline(always)]
+            pub(crate) fn combine(self, high: Self) -> $whole<S> {
+                by_level!(
+                    $whole::simd_from(self.token(), plain::combine(self.lanes(), high.lanes())),
+                    $whole(self.0.combine(high.0))
+                )
+            }
+        }
+    )+};
+}
+
+combine! { u32x4 => u32x8; u32x8 => u32x16; }

@@ -1,0 +1,66 @@
+//! The SIMD levels, and running code at one of them.
+
+/// A SIMD level of which it is known, when code is compiled for it, whether it has vector instructions.
+///
+/// `fearless_simd` tells that at run time only. The optimizer would drop the way not taken, but not before it had inlined all of it.
+pub trait Simd: fearless_simd::Simd {
+    /// Whether lanes are elements of plain arrays.
+    const IS_PLAIN: bool;
+}
+
+macro_rules! levels {
+    ($($(#[$condition:meta])* $token:ty: $is_plain:literal;)+) => {$(
+        $(#[$condition])*
+        impl Simd for $token {
+            const IS_PLAIN: bool = $is_plain;
+        }
+    )+};
+}
+
+levels! {
+    fearless_simd::Fallback: true;
+    #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+    fearless_simd::x86::Sse2: false;
+    #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+    fearless_simd::x86::Sse4_2: false;
+    #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+    fearless_simd::x86::Avx2: false;
+    #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+    fearless_simd::x86::Avx512: false;
+    #[cfg(target_arch = "aarch64")]
+    fearless_simd::aarch64::Neon: false;
+    #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
+    fearless_simd::wasm32::WasmSimd128: false;
+}
+
+/// `fearless_simd::dispatch!` for code that is generic over the [`Simd`] of this module: evaluates the expression, with the level's
+/// token in the variable, in a function that has the level's instructions. What is called there must be `#[inline(always)]`.
+macro_rules! dispatch {
+    (@at $token:ident, $simd:pat => $run:expr) => {{
+        let $simd = $token;
+        fearless_simd::Simd::vectorize(
+            $token,
+            #[inline(always)]
+            || $run,
+        )
+    }};
+    ($level:expr, $simd:pat => $run:expr) => {
+        match $level {
+            fearless_simd::Level::Fallback(token) => $crate::wide::dispatch!(@at token, $simd => $run),
+            #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+            fearless_simd::Level::Sse2(token) => $crate::wide::dispatch!(@at token, $simd => $run),
+            #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+            fearless_simd::Level::Sse4_2(token) => $crate::wide::dispatch!(@at token, $simd => $run),
+            #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+            fearless_simd::Level::Avx2(token) => $crate::wide::dispatch!(@at token, $simd => $run),
+            #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+            fearless_simd::Level::Avx512(token) => $crate::wide::dispatch!(@at token, $simd => $run),
+            #[cfg(target_arch = "aarch64")]
+            fearless_simd::Level::Neon(token) => $crate::wide::dispatch!(@at token, $simd => $run),
+            #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
+            fearless_simd::Level::WasmSimd128(token) => $crate::wide::dispatch!(@at token, $simd => $run),
+            level => unreachable!("fearless_simd has a level that pineda does not know: {level:?}"),
+        }
+    };
+}
+pub(crate) use dispatch;
