@@ -10,7 +10,7 @@ pub(crate) struct Srgb {
     /// Where each code's successor begins: the light of the code plus a half.
     thresholds: [f32; 255],
     /// For each 4096th of the range the code that it begins with.
-    start: [u8; Srgb::STEPS + 1],
+    start: [u8; Self::STEPS + 1],
 }
 
 impl Srgb {

@@ -49,7 +49,7 @@ pub(crate) fn finite(text: &str) -> Result<f64, String> {
 /// A field of view in degrees.
 pub(crate) fn field_of_view(text: &str) -> Result<f64, String> {
     let degrees = finite(text)?;
-    if degrees >= 0.1 && degrees <= 179.0 { Ok(degrees) } else { Err("must lie in 0.1 to 179 degrees".to_owned()) }
+    if (0.1..=179.0).contains(&degrees) { Ok(degrees) } else { Err("must lie in 0.1 to 179 degrees".to_owned()) }
 }
 
 /// A crease angle in degrees.

@@ -70,17 +70,17 @@ pub(crate) fn judge(case: &Case, drawing: &Drawing, tally: &mut Tally) -> Result
             }
         }
         let color = drawing.color[at];
-        for channel in 0..4 {
+        for (channel, found) in color.into_iter().enumerate() {
             let (values, weights) = match channel {
                 0 | 1 => (corners.map(|corner| corner.smooth[channel]), &smooth),
                 _ => (corners.map(|corner| corner.linear[channel - 2]), &linear),
             };
             let largest = values.iter().fold(0.0, |largest: f32, v| largest.max(v.abs()));
             let Some(exact) = interpolate(weights, values) else { continue };
-            let roundings = error(color[channel], &exact) / (U * f64::from(largest));
+            let roundings = error(found, &exact) / (U * f64::from(largest));
             tally.worst_varying = tally.worst_varying.max(roundings);
             if roundings > VARYING_ROUNDINGS {
-                return Err(say(format!("varying {channel} is {:?}, {roundings} roundings off", color[channel])));
+                return Err(say(format!("varying {channel} is {found:?}, {roundings} roundings off")));
             }
         }
         let depths = positions.map(|[_, _, z, w]| if case.space == Space::Clip { z / w } else { z });

@@ -28,7 +28,8 @@ fn bench<Sh: Shader<Vertex = Vertex>>(
     let mut pixels = vec![[0u8; 4]; count];
     let mut depth = vec![0f32; count];
     let (mut ids, mut barycentrics) = (vec![0u32; count], vec![[0f32; 3]; count]);
-    let mut renderer = Renderer::new(Settings { threads: 1, ..Settings::default() }).expect("the default level is there");
+    let mut renderer =
+        Renderer::new(Settings { threads: 1, ..Settings::default() }).expect("the default level is there");
     let mut pass = Pass::new();
     pass.draw(shader, Mesh { vertices: &scene.vertices, indices: Indices::U32(&scene.indices) }, state);
     let mut group = criterion.benchmark_group("stages");

@@ -112,9 +112,8 @@ pub fn knot() -> Scene {
         let r = 2.0 + (3.0 * t).cos();
         [r * (2.0 * t).cos(), r * (2.0 * t).sin(), (3.0 * t).sin()]
     };
-    let cross = |a: [f32; 3], b: [f32; 3]| {
-        [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-    };
+    let cross =
+        |a: [f32; 3], b: [f32; 3]| [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
     let unit = |v: [f32; 3]| v.map(|x| x / (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]).sqrt());
     let mut vertices = Vec::new();
     for i in 0..=along {
@@ -129,8 +128,8 @@ pub fn knot() -> Scene {
             vertices.push(Vertex { position, normal, color: [1.0; 3] });
         }
     }
-    let camera = Mat4::perspective(0.9, WIDTH as f32 / HEIGHT as f32, 1.0, 30.0)
-        * Mat4::look_at(EYE, [0.0; 3], [0.0, 1.0, 0.0]);
+    let camera =
+        Mat4::perspective(0.9, WIDTH as f32 / HEIGHT as f32, 1.0, 30.0) * Mat4::look_at(EYE, [0.0; 3], [0.0, 1.0, 0.0]);
     Scene { vertices, indices: grid_indices(along, around), camera }
 }
 

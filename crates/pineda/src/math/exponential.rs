@@ -8,6 +8,12 @@
 //! Results that would be subnormal (below 2^-126 = 1.2e-38) are 0 here: they are invisible, and slow on some processors.
 //! Subnormal arguments are taken for what they are. `math/accuracy.rs` tests what each function states.
 
+#![expect(
+    clippy::excessive_precision,
+    clippy::approx_constant,
+    reason = "coefficients are written with the digits that their derivation gave"
+)]
+
 use super::{Real, ToLanes};
 use crate::lanes::Lanes;
 use core::f32::consts::LOG2_E;

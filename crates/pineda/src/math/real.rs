@@ -127,7 +127,7 @@ impl<L: Lanes> Real<L> {
         while n > 0 {
             square = square * square;
             if n & 1 == 1 {
-                product = product * square;
+                product *= square;
             }
             n >>= 1;
         }

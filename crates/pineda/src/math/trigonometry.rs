@@ -4,6 +4,11 @@
 //! Waite: the quarter turn comes in four parts, of which the first three have so few bits that their multiples are
 //! exact), and the quadrant says which polynomial, and with which sign. The fits: `tools/minimax.py`.
 
+#![expect(
+    clippy::excessive_precision,
+    reason = "the parts of pi / 2 are written with the digits that their derivation gave"
+)]
+
 use super::Real;
 use super::exponential::{ROUND, horner};
 use crate::lanes::Lanes;

@@ -11,8 +11,8 @@ use crate::shading::run::RunView;
 use crate::target::bands::Bands;
 use crate::target::format::ColorFormat;
 use crate::tile::paint::{Painter, Painting, Start, Wants};
-use crate::{Error, Settings, Target, parallel};
 use crate::wide::dispatch;
+use crate::{Error, Settings, Target, parallel};
 use fearless_simd::Level;
 
 /// Draws passes, and keeps its working memory from one to the next.

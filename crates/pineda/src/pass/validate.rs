@@ -2,8 +2,8 @@
 
 use super::draw_call::DrawCall;
 use super::{Indices, Pass};
-use crate::{Error, parallel};
 use crate::wide::dispatch;
+use crate::{Error, parallel};
 use fearless_simd::Level;
 use std::sync::{Mutex, PoisonError};
 

@@ -198,19 +198,7 @@ fn emit<S: Simd>(
     let dz_dx = (dz1 * float(by) - dz2 * float(ay)) * scale;
     let dz_dy = (dz2 * float(ax) - dz1 * float(bx)) * scale;
 
-    let facts = Facts {
-        ids,
-        x,
-        y,
-        z,
-        dz_dx,
-        dz_dy,
-        column0,
-        column1,
-        row0,
-        row1,
-        edges,
-    };
+    let facts = Facts { ids, x, y, z, dz_dx, dz_dy, column0, column1, row0, row1, edges };
     let (columns, rows) = (column1 - column0, row1 - row0);
     let is_small = columns.simd_lt(SMALL_EXTENT) & rows.simd_lt(SMALL_EXTENT) & live & !is_large;
     let mut small_rows = [[0; 8]; 16];

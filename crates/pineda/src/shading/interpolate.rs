@@ -179,13 +179,7 @@ struct Barycentric<S: Simd> {
 
 impl<S: Simd> Barycentric<S> {
     #[inline(always)]
-    fn new(
-        s: S,
-        weights: &[f32x16<S>; 3],
-        dx: &[f32x16<S>; 3],
-        dy: &[f32x16<S>; 3],
-        derivatives: bool,
-    ) -> Self {
+    fn new(s: S, weights: &[f32x16<S>; 3], dx: &[f32x16<S>; 3], dy: &[f32x16<S>; 3], derivatives: bool) -> Self {
         let sum = (weights[0] + weights[1]) + weights[2];
         let scale = f32x16::splat(s, 1.0) / sum;
         let (b1, b2) = (weights[1] * scale, weights[2] * scale);
@@ -324,8 +318,7 @@ fn few<S: Simd, const FULL: bool>(
     while k < layout.interpolation.len() {
         let is_flat = FULL && layout.interpolation[k] == Interpolation::Flat;
         let [f0, d1, d2] = vertex_values(run, each, &places[0], k, is_flat);
-        let mut corner =
-            Corner3 { f0: f32x16::splat(s, f0), d1: f32x16::splat(s, d1), d2: f32x16::splat(s, d2) };
+        let mut corner = Corner3 { f0: f32x16::splat(s, f0), d1: f32x16::splat(s, d1), d2: f32x16::splat(s, d2) };
         let mut t = 1;
         while t < distinct.count {
             let mask = masks[t & 15];
@@ -364,11 +357,8 @@ fn many<S: Simd>(
         (submitted[0][lane], submitted[1][lane], submitted[2][lane]) = (a, b, c);
         lane += 1;
     }
-    let [a, b, c] = [
-        u32x16::simd_from(s, submitted[0]),
-        u32x16::simd_from(s, submitted[1]),
-        u32x16::simd_from(s, submitted[2]),
-    ];
+    let [a, b, c] =
+        [u32x16::simd_from(s, submitted[0]), u32x16::simd_from(s, submitted[1]), u32x16::simd_from(s, submitted[2])];
     let code: i32x16<S> = (ids & ((1 << ORDER_BITS) - 1)).bitcast();
     let (first_is_1, first_is_2) = (code.simd_eq(1) | code.simd_eq(4), code.simd_eq(2) | code.simd_eq(5));
     let counter_clockwise = code.simd_ge(3);
@@ -380,8 +370,7 @@ fn many<S: Simd>(
         counter_clockwise.select(second, third).into(),
     ];
     // The first row of each record holds x, y, 1 / w and the first varying.
-    let (mut a, mut b, mut c) =
-        (row(s, run, &places[0], 0), row(s, run, &places[1], 0), row(s, run, &places[2], 0));
+    let (mut a, mut b, mut c) = (row(s, run, &places[0], 0), row(s, run, &places[1], 0), row(s, run, &places[2], 0));
     let x = (lanes.column << 8) + (fragments.x * SUBPIXELS + HALF_PIXEL);
     let y = (lanes.row << 8) + (fragments.y * SUBPIXELS + HALF_PIXEL);
     let vx = [a[0].bitcast::<i32x16<S>>() - x, b[0].bitcast::<i32x16<S>>() - x, c[0].bitcast::<i32x16<S>>() - x];
@@ -401,8 +390,7 @@ fn many<S: Simd>(
             let k = (4 * r + i).wrapping_sub(RECORD_HEADER);
             if k < varyings {
                 let f0: f32x16<S> = a[i].bitcast();
-                let corner =
-                    Corner3 { f0, d1: b[i].bitcast::<f32x16<S>>() - f0, d2: c[i].bitcast::<f32x16<S>>() - f0 };
+                let corner = Corner3 { f0, d1: b[i].bitcast::<f32x16<S>>() - f0, d2: c[i].bitcast::<f32x16<S>>() - f0 };
                 both.set::<false>(layout, rows, k, corner);
             }
             i += 1;
@@ -414,12 +402,7 @@ fn many<S: Simd>(
 /// Row `r` of each lane's record, as four vectors.
 #[inline(always)]
 fn row<S: Simd>(s: S, run: &RunView<'_>, at: &[u32; 16], r: usize) -> [u32x16<S>; 4] {
-    columns4(
-        four(s, run, at, r, 0),
-        four(s, run, at, r, 4),
-        four(s, run, at, r, 8),
-        four(s, run, at, r, 12),
-    )
+    columns4(four(s, run, at, r, 0), four(s, run, at, r, 4), four(s, run, at, r, 8), four(s, run, at, r, 12))
 }
 
 #[inline(always)]

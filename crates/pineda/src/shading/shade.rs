@@ -121,13 +121,7 @@ fn contains(batch: &PacketBatch, block: u32) -> bool {
 
 /// Interpolates the packet that was added last.
 #[inline(always)]
-fn fill<S: Simd>(
-    s: S,
-    shading: &mut Shading<'_>,
-    layout: &VaryingLayout,
-    lanes: &BlockLanes<S>,
-    last: &mut Last<S>,
-) {
+fn fill<S: Simd>(s: S, shading: &mut Shading<'_>, layout: &VaryingLayout, lanes: &BlockLanes<S>, last: &mut Last<S>) {
     let (call, run) = (shading.call, shading.run);
     let position = |vertex: usize| call.position(vertex);
     let (packet, mut rows) = shading.batch.last();

@@ -50,8 +50,7 @@ impl<S: Simd> Weights<S> {
         dy: [f32x16<S>; 3],
         inv_w: [f32x16<S>; 3],
     ) -> Self {
-        let mut this =
-            Self { perspective: edge, linear: edge, dx, dy, linear_dx: dx, linear_dy: dy };
+        let mut this = Self { perspective: edge, linear: edge, dx, dy, linear_dx: dx, linear_dy: dy };
         let mut k = 0;
         while k < 3 {
             this.perspective[k] = edge[k] * inv_w[k];

@@ -8,6 +8,12 @@
 //! The types have the names and the methods of those that they stand for, as far as they are used here. Which of the two
 //! ways an operation takes is a constant of its level ([`Simd::IS_PLAIN`]), so the other one is never compiled. Integers wrap around.
 
+#![allow(
+    clippy::redundant_closure_call,
+    clippy::suspicious_arithmetic_impl,
+    reason = "the plain side of an operation is a closure, so that it is a function of its own, with a loop's counter in it"
+)]
+
 #[macro_use]
 mod plain;
 #[macro_use]

@@ -1,0 +1,133 @@
+//! Golden scenes: the same bits at every SIMD level, with 1, 2 and 7 threads, with two tile sizes, in debug and in release.
+//!
+//! What is compared is one hash a scene, of the raw bytes of all that a target holds; the hashes are in `hashes.txt`.
+//!
+//! - `PINEDA_BLESS=1 cargo test -p pineda --test golden` writes them anew: look at every picture that changed first.
+//! - `PINEDA_PICTURES=1 cargo test -p pineda --test golden` writes the pictures, as PPM, to `target/tmp/golden`.
+
+mod looks;
+mod scenes;
+mod shapes;
+
+use pineda::{ColorBuffer, Pass, Renderer, Settings, Simd, Target, TileSize};
+use scenes::{Format, Scene};
+use std::fmt::Write as _;
+use std::path::Path;
+
+/// One `name hash` a line.
+const HASHES: &str = include_str!("hashes.txt");
+
+#[test]
+fn scenes_are_the_same_bits_everywhere() {
+    let mut found = String::new();
+    for scene in scenes::all() {
+        let reference = Frame::drawn(&scene, Settings { simd: Simd::Scalar, threads: 1, ..Settings::default() });
+        for simd in Simd::available() {
+            for threads in [1, 2, 7] {
+                for tile in [TileSize::T16, TileSize::T64] {
+                    let frame = Frame::drawn(&scene, Settings { simd, threads, tile, ..Settings::default() });
+                    let same = frame.bytes() == reference.bytes();
+                    assert!(same, "{}: {simd}, {threads} threads and {tile:?} give other bits", scene.name);
+                }
+            }
+        }
+        if std::env::var_os("PINEDA_PICTURES").is_some() {
+            reference.write_picture(&scene);
+        }
+        writeln!(found, "{} {:016x}", scene.name, fnv1a(&reference.bytes())).expect("a string grows");
+    }
+    if std::env::var_os("PINEDA_BLESS").is_some() {
+        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/golden/hashes.txt");
+        std::fs::write(path, &found).expect("the repository can be written to");
+        return;
+    }
+    let changed: Vec<_> = found.lines().filter(|line| !HASHES.lines().any(|known| known == *line)).collect();
+    assert!(
+        changed.is_empty() && found.lines().count() == HASHES.lines().count(),
+        "these scenes are not what crates/pineda/tests/golden/hashes.txt says:\n{}\nif that is meant, look at them \
+         (PINEDA_PICTURES=1) and bless them (PINEDA_BLESS=1)",
+        changed.join("\n")
+    );
+}
+
+/// All that a target holds.
+struct Frame {
+    width: u32,
+    bytes: Vec<[u8; 4]>,
+    float: Vec<[f32; 4]>,
+    depth: Vec<f32>,
+    triangle_ids: Vec<u32>,
+    draw_ids: Vec<u32>,
+    barycentrics: Vec<[f32; 3]>,
+    hits: Vec<u32>,
+}
+
+impl Frame {
+    fn drawn(scene: &Scene, settings: Settings) -> Self {
+        let (width, height) = (scene.width, scene.height);
+        let pixels = (width * height) as usize;
+        let mut frame = Self {
+            width,
+            bytes: vec![[0; 4]; if scene.format == Format::Float { 0 } else { pixels }],
+            float: vec![[0.0; 4]; if scene.format == Format::Float { pixels } else { 0 }],
+            depth: vec![0.0; pixels],
+            triangle_ids: vec![0; pixels],
+            draw_ids: vec![0; pixels],
+            barycentrics: vec![[0.0; 3]; pixels],
+            hits: vec![0; pixels],
+        };
+        let mut pass = Pass::new();
+        pass.clear_color = Some(scene.clear);
+        pass.clear_depth = Some(scene.clear_depth);
+        scene.layers.iter().for_each(|layer| layer.draw(&mut pass));
+        let mut target = Target {
+            color: match scene.format {
+                Format::Linear => ColorBuffer::Rgba8(&mut frame.bytes),
+                Format::Srgb => ColorBuffer::Rgba8Srgb(&mut frame.bytes),
+                Format::Float => ColorBuffer::Rgba32F(&mut frame.float),
+            },
+            depth: Some(&mut frame.depth),
+            triangle_ids: Some(&mut frame.triangle_ids),
+            draw_ids: Some(&mut frame.draw_ids),
+            barycentrics: Some(&mut frame.barycentrics),
+            hits: Some(&mut frame.hits),
+            ..Target::new(width, height)
+        };
+        let mut renderer = Renderer::new(settings).expect("an available level");
+        renderer.render(&pass, &mut target).expect("a valid scene");
+        frame
+    }
+
+    fn bytes(&self) -> Vec<u8> {
+        let mut all = self.bytes.as_flattened().to_vec();
+        let mut words = |words: &[u32]| all.extend(words.iter().flat_map(|word| word.to_le_bytes()));
+        words(&self.triangle_ids);
+        words(&self.draw_ids);
+        words(&self.hits);
+        let floats = [self.float.as_flattened(), &self.depth, self.barycentrics.as_flattened()];
+        for float in floats.into_iter().flatten() {
+            all.extend(float.to_bits().to_le_bytes());
+        }
+        all
+    }
+
+    /// For people to look at: binary PPM, without alpha, floats as they are on an sRGB screen of gamma 2.2.
+    fn write_picture(&self, scene: &Scene) {
+        let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("golden");
+        std::fs::create_dir_all(&folder).expect("the target folder can be written to");
+        let mut file = format!("P6 {} {} 255\n", self.width, self.depth.len() / self.width as usize).into_bytes();
+        match scene.format {
+            Format::Float => {
+                let code = |&x: &f32| (x.clamp(0.0, 1.0).powf(1.0 / 2.2) * 255.0).round() as u8;
+                file.extend(self.float.iter().flat_map(|pixel| pixel[..3].iter().map(code)));
+            }
+            _ => file.extend(self.bytes.iter().flat_map(|pixel| &pixel[..3])),
+        }
+        std::fs::write(folder.join(format!("{}.ppm", scene.name)), file).expect("the target folder can be written to");
+    }
+}
+
+/// FNV-1a, 64 bits.
+fn fnv1a(bytes: &[u8]) -> u64 {
+    bytes.iter().fold(0xcbf2_9ce4_8422_2325, |hash, &byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3))
+}

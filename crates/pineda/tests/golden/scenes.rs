@@ -1,0 +1,186 @@
+//! The golden scenes.
+
+use crate::looks::{BlinnPhong, Gouraud, Holes, Stripes};
+use crate::shapes::{Shape, ground, knot, rectangle, slivers, soup};
+use pineda::*;
+
+/// The format of a scene's picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Format {
+    Linear,
+    Srgb,
+    Float,
+}
+
+/// A picture to be drawn.
+pub(crate) struct Scene {
+    pub(crate) name: &'static str,
+    pub(crate) width: u32,
+    pub(crate) height: u32,
+    pub(crate) format: Format,
+    pub(crate) clear: [f32; 4],
+    pub(crate) clear_depth: f32,
+    pub(crate) layers: Vec<Layer>,
+}
+
+/// One draw.
+pub(crate) struct Layer {
+    shape: Shape,
+    look: Look,
+    state: DrawState,
+}
+
+enum Look {
+    Gouraud(Gouraud),
+    BlinnPhong(BlinnPhong),
+    Stripes(Stripes),
+    Holes(Holes),
+}
+
+impl Layer {
+    pub(crate) fn draw<'a>(&'a self, pass: &mut Pass<'a>) {
+        let mesh = Mesh { vertices: &self.shape.vertices, indices: Indices::U32(&self.shape.indices) };
+        match &self.look {
+            Look::Gouraud(look) => pass.draw(look, mesh, self.state),
+            Look::BlinnPhong(look) => pass.draw(look, mesh, self.state),
+            Look::Stripes(look) => pass.draw(look, mesh, self.state),
+            Look::Holes(look) => pass.draw(look, mesh, self.state),
+        };
+    }
+}
+
+const WIDTH: u32 = 317;
+const HEIGHT: u32 = 203;
+const SIZE: [f32; 2] = [WIDTH as f32, HEIGHT as f32];
+const RASTER: DrawState = DrawState {
+    space: Space::Raster,
+    cull: Cull::None,
+    front_face: FrontFace::CounterClockwise,
+    depth: DepthState { compare: Compare::Less, write: true },
+    blend: Blend::Opaque,
+    viewport: None,
+};
+const IDENTITY: Mat4 = Mat4::IDENTITY;
+
+/// Every scene.
+pub(crate) fn all() -> Vec<Scene> {
+    vec![
+        scene("small_triangles", vec![gouraud(soup(1, 9_000, 2.5, SIZE), RASTER)]),
+        scene("mid_triangles", vec![gouraud(soup(2, 300, 30.0, SIZE), RASTER)]),
+        scene("large_triangles", vec![gouraud(soup(3, 40, 4_000.0, SIZE), RASTER)]),
+        scene("slivers", vec![gouraud(slivers(4, 600, SIZE), RASTER)]),
+        Scene { format: Format::Srgb, ..scene("knot", vec![lit_knot(None)]) },
+        Scene { format: Format::Srgb, ..scene("four_viewports", four_viewports()) },
+        scene("tutorial_triangle", vec![tutorial_triangle()]),
+        Scene {
+            format: Format::Srgb,
+            clear: [0.2, 0.3, 0.6, 1.0],
+            ..scene("ground_through_the_near_plane", near_plane())
+        },
+        Scene { format: Format::Srgb, ..scene("blended_layers", blended_layers()) },
+        Scene { format: Format::Float, ..scene("premultiplied_over_brightness", brightness()) },
+        Scene { clear_depth: 0.0, ..scene("reversed_depth", comparisons(&[Compare::Greater, Compare::GreaterEqual])) },
+        scene("every_comparison", comparisons(&Compare::ALL)),
+        scene("flat_and_noperspective", vec![stripes()]),
+        scene("holes", holes()),
+        Scene { format: Format::Srgb, ..scene("srgb_gradients", gradients()) },
+    ]
+}
+
+fn scene(name: &'static str, layers: Vec<Layer>) -> Scene {
+    let clear = [0.0, 0.0, 0.0, 1.0];
+    Scene { name, width: WIDTH, height: HEIGHT, format: Format::Linear, clear, clear_depth: 1.0, layers }
+}
+
+fn gouraud(shape: Shape, state: DrawState) -> Layer {
+    Layer { shape, look: Look::Gouraud(Gouraud { camera: IDENTITY }), state }
+}
+
+fn camera(eye: [f32; 3], target: [f32; 3]) -> Mat4 {
+    Mat4::perspective(0.7, SIZE[0] / SIZE[1], 0.5, 50.0) * Mat4::look_at(eye, target, [0.0, 1.0, 0.0])
+}
+
+fn lit_knot(viewport: Option<Viewport>) -> Layer {
+    let eye = [2.0, 3.0, 8.5];
+    let look = BlinnPhong { camera: camera(eye, [0.0; 3]), eye, light: [0.36, 0.48, 0.8] };
+    let state = DrawState { cull: Cull::Back, front_face: FrontFace::Clockwise, viewport, ..DrawState::default() };
+    Layer { shape: knot(160, 24), look: Look::BlinnPhong(look), state }
+}
+
+/// None of them begins or ends on a block of 4 x 4 pixels, two overlap, one hangs over the border.
+fn four_viewports() -> Vec<Layer> {
+    let rectangles =
+        [[3.0, 5.0, 150.0, 90.0], [101.0, 61.0, 99.0, 99.0], [210.5, 3.25, 90.5, 60.0], [230.0, 120.0, 170.0, 130.0]];
+    let viewport = |[x, y, width, height]: [f32; 4]| Viewport { x, y, width, height, min_depth: 0.1, max_depth: 0.9 };
+    rectangles.into_iter().map(|rectangle| lit_knot(Some(viewport(rectangle)))).collect()
+}
+
+/// Red, green and blue, with the tutorial's own numbers in a picture of 512 x 512.
+fn tutorial_triangle() -> Layer {
+    let corners = [([491.407, 411.407], 0), ([148.593, 68.5928], 1), ([148.593, 411.407], 2)];
+    let mut shape = Shape { indices: vec![0, 1, 2], ..Shape::default() };
+    for ([x, y], channel) in corners {
+        let mut color = [0.0, 0.0, 0.0, 1.0];
+        color[channel] = 1.0;
+        let position = [x * 0.6, y * 0.4, 0.5, 1.0];
+        shape.vertices.push(crate::looks::Vertex { position, color, ..Default::default() });
+    }
+    gouraud(shape, RASTER)
+}
+
+/// A floor that goes on behind the eye, and a knot that stands in it.
+fn near_plane() -> Vec<Layer> {
+    let eye = [0.3, 1.2, 6.0];
+    let camera = camera(eye, [0.0, 0.3, 0.0]);
+    let floor = Layer { shape: ground(30.0, 24), look: Look::Gouraud(Gouraud { camera }), state: DrawState::default() };
+    let look = BlinnPhong { camera: camera * Mat4::scale([0.4; 3]), eye, light: [0.36, 0.48, 0.8] };
+    let state = DrawState { cull: Cull::Back, front_face: FrontFace::Clockwise, ..DrawState::default() };
+    vec![floor, Layer { shape: knot(120, 16), look: Look::BlinnPhong(look), state }]
+}
+
+fn blended_layers() -> Vec<Layer> {
+    let over =
+        DrawState { blend: Blend::SourceOver, depth: DepthState { write: false, ..DepthState::default() }, ..RASTER };
+    vec![
+        gouraud(soup(5, 12, 60.0, SIZE), RASTER),
+        gouraud(soup(6, 150, 25.0, SIZE), over),
+        gouraud(soup(7, 12, 40.0, SIZE), RASTER),
+        gouraud(soup(8, 60, 40.0, SIZE), DrawState { depth: DepthState::OFF, ..over }),
+    ]
+}
+
+/// Colours from 0 to 8, seen through premultiplied ones.
+fn brightness() -> Vec<Layer> {
+    let bright = [[8.0, 0.0, 0.0, 1.0], [0.0, 4.0, 0.0, 1.0], [0.0, 0.0, 2.0, 1.0], [0.5, 0.5, 0.5, 0.0]];
+    let over = DrawState { blend: Blend::PremultipliedSourceOver, depth: DepthState::OFF, ..RASTER };
+    vec![gouraud(rectangle([10.3, 9.7, 300.1, 190.9], 0.5, bright), RASTER), gouraud(soup(9, 80, 30.0, SIZE), over)]
+}
+
+fn comparisons(compares: &[Compare]) -> Vec<Layer> {
+    let state = |compare| DrawState { depth: DepthState { compare, write: true }, ..RASTER };
+    let layer = |(k, &compare): (usize, &Compare)| gouraud(soup(20 + k as u64, 60, 30.0, SIZE), state(compare));
+    let wall = gouraud(soup(10, 20, 60.0, SIZE), state(Compare::Always));
+    [wall].into_iter().chain(compares.iter().enumerate().map(layer)).collect()
+}
+
+fn stripes() -> Layer {
+    let look = Look::Stripes(Stripes { camera: camera([3.0, 4.0, 5.0], [0.0, -0.5, 0.0]) });
+    Layer { shape: ground(2.5, 3), look, state: DrawState::default() }
+}
+
+fn holes() -> Vec<Layer> {
+    let camera = camera([3.0, 4.0, 5.0], [0.0, -0.5, 0.0]);
+    let hole = |shape| Layer { shape, look: Look::Holes(Holes { camera }), state: DrawState::default() };
+    vec![hole(ground(2.5, 1)), hole(knot(60, 12)), gouraud(soup(11, 10, 50.0, SIZE), RASTER)]
+}
+
+fn gradients() -> Vec<Layer> {
+    let (black, white) = ([0.0, 0.0, 0.0, 1.0], [1.0; 4]);
+    let ([r, g, b], clear) = ([[1.0, 0.0, 0.0, 1.0], [0.0, 1.0, 0.0, 1.0], [0.0, 0.0, 1.0, 1.0]], [0.0; 4]);
+    let over = DrawState { blend: Blend::SourceOver, depth: DepthState::OFF, ..RASTER };
+    vec![
+        gouraud(rectangle([0.0, 0.0, 317.0, 60.0], 0.5, [black, white, white, black]), RASTER),
+        gouraud(rectangle([0.0, 60.0, 317.0, 203.0], 0.5, [r, g, b, white]), RASTER),
+        gouraud(rectangle([40.0, 20.0, 280.0, 180.0], 0.25, [white, clear, black, clear]), over),
+    ]
+}

@@ -1,0 +1,176 @@
+//! Every error is provoked, and leaves the target as it was.
+
+use pineda::*;
+
+const CORNERS: [[f32; 4]; 3] = [[0.0, 0.0, 0.5, 1.0], [8.0, 0.0, 0.5, 1.0], [0.0, 8.0, 0.5, 1.0]];
+
+fn renderer() -> Renderer {
+    Renderer::new(Settings::default()).expect("the best level")
+}
+
+/// Draws one triangle or a part of one to a target of 8 x 8 and demands that an error leaves everything alone.
+fn error_of(indices: Indices<'_>, corners: &[[f32; 4]], viewport: Option<Viewport>) -> Error {
+    let mut pass = Pass::new();
+    let state = DrawState { space: Space::Raster, viewport, ..DrawState::default() };
+    // A valid draw first: even that one must not be drawn.
+    for (vertices, indices, state) in
+        [(&CORNERS[..], Indices::Sequential, DrawState { viewport: None, ..state }), (corners, indices, state)]
+    {
+        pass.draw_with(Mesh { vertices, indices }, state, |&p| (Vec4::from(p), ()), |f| Rgba::gray(f.x()));
+    }
+    let (mut pixels, mut depth, mut ids) = ([[7u8; 4]; 64], [0.125; 64], [5; 64]);
+    let (mut draws, mut barycentrics, mut hits) = ([6; 64], [[0.5; 3]; 64], [8; 64]);
+    let mut target = Target {
+        color: ColorBuffer::Rgba8(&mut pixels),
+        depth: Some(&mut depth),
+        triangle_ids: Some(&mut ids),
+        draw_ids: Some(&mut draws),
+        barycentrics: Some(&mut barycentrics),
+        hits: Some(&mut hits),
+        ..Target::new(8, 8)
+    };
+    let error = renderer().render(&pass, &mut target).expect_err("this is wrong");
+    assert_eq!((pixels, depth, ids), ([[7; 4]; 64], [0.125; 64], [5; 64]), "{error}");
+    assert_eq!((draws, barycentrics, hits), ([6; 64], [[0.5; 3]; 64], [8; 64]), "{error}");
+    error
+}
+
+#[test]
+fn target_sizes_are_1_to_16384() {
+    for (width, height) in [(0, 1), (1, 0), (16_385, 1), (1, 16_385), (u32::MAX, u32::MAX)] {
+        let error = renderer().render(&Pass::new(), &mut Target::new(width, height));
+        assert_eq!(error, Err(Error::TargetSize { width, height }));
+    }
+    for (width, height) in [(1, 1), (16_384, 1), (1, 16_384)] {
+        let mut hits = vec![7; (width * height) as usize];
+        let mut target = Target { hits: Some(&mut hits), ..Target::new(width, height) };
+        assert!(renderer().render(&Pass::new(), &mut target).is_ok());
+        assert!(hits.iter().all(|&hits| hits == 0));
+    }
+}
+
+#[test]
+fn buffers_hold_one_element_a_pixel() {
+    let (mut bytes, mut floats) = ([[0; 4]; 7], [[0.0; 4]; 7]);
+    let (mut depth, mut ids, mut draws) = ([0.0; 7], [0; 7], [0; 7]);
+    let (mut barycentrics, mut hits) = ([[0.0; 3]; 7], [0; 7]);
+    let plain = || Target::new(4, 2);
+    let targets = [
+        ("color", Target { color: ColorBuffer::Rgba8(&mut bytes.clone()), ..plain() }),
+        ("color", Target { color: ColorBuffer::Rgba8Srgb(&mut bytes), ..plain() }),
+        ("color", Target { color: ColorBuffer::Rgba32F(&mut floats), ..plain() }),
+        ("depth", Target { depth: Some(&mut depth), ..plain() }),
+        ("triangle_ids", Target { triangle_ids: Some(&mut ids), ..plain() }),
+        ("draw_ids", Target { draw_ids: Some(&mut draws), ..plain() }),
+        ("barycentrics", Target { barycentrics: Some(&mut barycentrics), ..plain() }),
+        ("hits", Target { hits: Some(&mut hits), ..plain() }),
+    ];
+    for (buffer, mut target) in targets {
+        let error = renderer().render(&Pass::new(), &mut target).expect_err("one element is missing");
+        assert_eq!(error, Error::BufferLength { buffer, length: 7, expected: 8, width: 4, height: 2 });
+        let message = format!("the target's {buffer} buffer holds 7 elements, but 4 x 2 pixels need 8");
+        assert_eq!(error.to_string(), message);
+    }
+}
+
+#[test]
+fn triangles_are_whole() {
+    let error = error_of(Indices::U32(&[0, 1, 2, 0]), &CORNERS, None);
+    assert_eq!(error, Error::PartialTriangle { draw: 1, count: 4, what: "indices" });
+    let error = error_of(Indices::Sequential, &CORNERS[..2], None);
+    assert_eq!(error, Error::PartialTriangle { draw: 1, count: 2, what: "vertices" });
+    // With indices, two vertices are as good as any number.
+    let mut pass = Pass::new();
+    let mesh = Mesh { vertices: &CORNERS[..2], indices: Indices::U32(&[0, 1, 0]) };
+    pass.draw_with(mesh, DrawState::default(), |&p| (Vec4::from(p), ()), |f| Rgba::gray(f.x()));
+    assert!(renderer().render(&pass, &mut Target::new(8, 8)).is_ok());
+}
+
+#[test]
+fn indices_are_in_range() {
+    let error = error_of(Indices::U32(&[0, 1, 2, 2, 3, u32::MAX]), &CORNERS, None);
+    assert_eq!(error, Error::IndexOutOfRange { draw: 1, index: 3, position: 4, vertices: 3 });
+    let error = error_of(Indices::U32(&[0, 0, 0]), &[], None);
+    assert_eq!(error, Error::IndexOutOfRange { draw: 1, index: 0, position: 0, vertices: 0 });
+    // The wrong one is far behind, where another thread looks.
+    let mut many = vec![0; 3 << 18];
+    many[(3 << 18) - 2] = 9;
+    let error = error_of(Indices::U32(&many), &CORNERS, None);
+    assert_eq!(error, Error::IndexOutOfRange { draw: 1, index: 9, position: (3 << 18) - 2, vertices: 3 });
+}
+
+/// Vertices without a size: as many as one likes, in no memory.
+static COUNTLESS: [(); 1 << 32] = [(); 1 << 32];
+
+#[test]
+fn numbers_of_vertices_fit_32_bits() {
+    let mut pass = Pass::new();
+    let mesh = Mesh { vertices: &COUNTLESS[..], indices: Indices::U32(&[0, 1, 2]) };
+    pass.draw_with(mesh, DrawState::default(), |&()| (Vec4::from([0.0; 4]), ()), |f| Rgba::gray(f.x()));
+    let error = renderer().render(&pass, &mut Target::new(8, 8));
+    assert_eq!(error, Err(Error::TooMany { draw: 0, count: 1 << 32, what: "vertices" }));
+}
+
+#[test]
+fn viewports_are_usable() {
+    let whole = Viewport::whole(8, 8);
+    let wrong = [
+        (Viewport { x: f32::NAN, ..whole }, "all of its numbers must be finite"),
+        (Viewport { max_depth: f32::INFINITY, ..whole }, "all of its numbers must be finite"),
+        (Viewport { width: 0.0, ..whole }, "its width and height must be positive"),
+        (Viewport { height: -1.0, ..whole }, "its width and height must be positive"),
+        (Viewport { x: -32_769.0, ..whole }, "it must lie within 32,768 pixels of the target's corner"),
+        (Viewport { height: 1e30, ..whole }, "it must lie within 32,768 pixels of the target's corner"),
+        (Viewport { min_depth: -0.1, ..whole }, "its depths must lie in 0 to 1"),
+        (Viewport { max_depth: 1.5, ..whole }, "its depths must lie in 0 to 1"),
+    ];
+    for (viewport, reason) in wrong {
+        let error = error_of(Indices::Sequential, &CORNERS, Some(viewport));
+        assert_eq!(error, Error::Viewport { draw: 1, reason });
+    }
+}
+
+#[test]
+fn simd_levels_that_are_not_there_are_errors() {
+    for simd in Simd::ALL {
+        let found = Renderer::new(Settings { simd, ..Settings::default() });
+        if simd == Simd::Auto || Simd::available().contains(&simd) {
+            assert!(found.is_ok(), "{simd}");
+        } else {
+            let available = Simd::available();
+            assert_eq!(found.expect_err("it is not there"), Error::SimdUnavailable { asked: simd, available });
+        }
+    }
+    assert_eq!("mmx".parse::<Simd>(), Err(UnknownSimd("mmx".to_owned())));
+}
+
+/// A triangle whose vertices stand at both ends of four thousand million.
+fn far_apart(settings: Settings) -> Result<Statistics, Error> {
+    let mut pass = Pass::new();
+    let mesh = Mesh { vertices: &COUNTLESS[1..], indices: Indices::U32(&[0, u32::MAX - 2, 1]) };
+    pass.draw_with(mesh, DrawState::default(), |&()| (Vec4::from([f32::NAN; 4]), ()), |f| Rgba::gray(f.x()));
+    Renderer::new(settings)?.render(&pass, &mut Target::new(8, 8))
+}
+
+#[test]
+fn vertices_far_apart_take_little_memory() {
+    let statistics = far_apart(Settings::default()).expect("three vertices are few");
+    assert_eq!((statistics.triangles, statistics.non_finite), (1, 1));
+}
+
+/// With all the memory that one could ask for it is allowed to shade all vertices at once, which a process of four gigabytes cannot.
+#[test]
+#[cfg(target_os = "linux")]
+fn memory_that_is_not_there_is_an_error() {
+    let this = std::env::current_exe().expect("a test has a file");
+    let limited = "ulimit -v 4000000 && exec \"$0\" --exact errors::in_four_gigabytes --ignored";
+    let output = std::process::Command::new("sh").arg("-c").arg(limited).arg(this).output().expect("there is a shell");
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stdout));
+}
+
+#[test]
+#[ignore = "memory_that_is_not_there_is_an_error runs it with little memory"]
+fn in_four_gigabytes() {
+    let error = far_apart(Settings { memory: usize::MAX, ..Settings::default() });
+    assert!(matches!(error, Err(Error::OutOfMemory { bytes, .. }) if bytes > 4_000_000_000), "{error:?}");
+}

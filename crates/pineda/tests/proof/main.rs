@@ -1,0 +1,12 @@
+//! `pineda` against the oracle, against a naive renderer, and against its own promises.
+
+mod coverage;
+mod encodings;
+mod errors;
+mod fragments;
+mod garbage;
+mod passes;
+mod scene;
+mod traps;
+mod viewports;
+mod visibility;
