@@ -1,6 +1,7 @@
 //! Masks: a yes or no for each lane.
 
 use super::level::Simd;
+use super::plain;
 use fearless_simd::prelude::*;
 
 /// A type of sixteen 32-bit lanes.

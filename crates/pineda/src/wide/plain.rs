@@ -6,8 +6,14 @@
 /// again at each place where the operation stands.
 macro_rules! by_level {
     ($plain:expr, $vector:expr) => {
-        if S::IS_PLAIN { (|| $plain)() } else { $vector }
+        if S::IS_PLAIN { plain::apart(|| $plain) } else { $vector }
     };
+}
+
+/// The value of a closure.
+#[inline]
+pub(super) fn apart<T>(closure: impl FnOnce() -> T) -> T {
+    closure()
 }
 
 /// An array of `count` values, each made of the values that the named arrays have at its place.

@@ -50,10 +50,10 @@ fn a_viewport_moves_and_bounds_the_picture() {
             [px, py].map(|v| (v * 256.0).round_ties_even() as i64)
         });
         let covered = hits(&[corners], WIDTH, HEIGHT);
-        for at in 0..covered.len() {
+        for (at, count) in covered.into_iter().enumerate() {
             let (i, j) = (at as i64 % i64::from(WIDTH), at as i64 / i64::from(WIDTH));
             let inside = (x..x + width).contains(&i) && (y..y + height).contains(&j);
-            let wanted = if inside { covered[at] } else { 0 };
+            let wanted = if inside { count } else { 0 };
             assert_eq!(drawing.hits[at], wanted, "seed {seed}: pixel ({i}, {j}) of {viewport:?}");
             if wanted == 0 {
                 assert_eq!((drawing.color[at], drawing.depth[at]), ([9.0; 4], 1.0), "seed {seed}: untouched");
