@@ -121,7 +121,7 @@ fn cut(polygon: &[Corner], plane: u32) -> ([Corner; MAX_VERTICES], usize) {
         }
         if (da >= 0.0) != (db >= 0.0) {
             let (inside, outside, di, d_o) = if da >= 0.0 { (a, b, da, db) } else { (b, a, db, da) };
-            push(Corner { at: lerp(&inside.at, &outside.at, di / (di - d_o)), on_raster: None });
+            push(Corner { at: between(&inside.at, &outside.at, di, d_o), on_raster: None });
         }
     }
     (out, count)
@@ -129,9 +129,17 @@ fn cut(polygon: &[Corner], plane: u32) -> ([Corner; MAX_VERTICES], usize) {
 
 const ORIGIN: Corner = Corner { at: Homogeneous { x: 0.0, y: 0.0, z: 0.0, w: 0.0 }, on_raster: None };
 
-fn lerp(a: &Homogeneous, b: &Homogeneous, t: f64) -> Homogeneous {
-    let mix = |a: f64, b: f64| a + (b - a) * t;
-    Homogeneous { x: mix(a.x, b.x), y: mix(a.y, b.y), z: mix(a.z, b.z), w: mix(a.w, b.w) }
+/// The point of an edge on a plane, from the distances of its ends: a sum of both with positive weights, each of which is as precise
+/// as the distances are, however near the point is to either end.
+fn between(inside: &Homogeneous, outside: &Homogeneous, di: f64, d_o: f64) -> Homogeneous {
+    let (wi, wo) = (-d_o / (di - d_o), di / (di - d_o));
+    let mix = |a: f64, b: f64| a * wi + b * wo;
+    Homogeneous {
+        x: mix(inside.x, outside.x),
+        y: mix(inside.y, outside.y),
+        z: mix(inside.z, outside.z),
+        w: mix(inside.w, outside.w),
+    }
 }
 
 /// The raster point of a position within all planes; `None` where w is 0, which is at best a degenerate polygon's corner.

@@ -115,8 +115,9 @@ impl Projection {
         let in_band = mask32x16::from_bitmask(s, x_low_ok & y_low_ok | (x_high_ok & y_high_ok) << 8);
         let (x, y): (i32x16<S>, i32x16<S>) = (x_low.narrow(x_high), y_low.narrow(y_high));
 
-        // A w so small that its reciprocal is infinite in f32 goes the careful way, too.
-        let on_raster = in_view & in_band & inv_w.simd_lt(f32::INFINITY);
+        // A w that is infinite, or so small that its reciprocal is infinite in f32, goes the careful way, too.
+        let in_view = in_view & w.simd_lt(f32::INFINITY) & inv_w.simd_lt(f32::INFINITY);
+        let on_raster = in_view & in_band;
         let x = on_raster.select(x, i32x16::splat(s, OFF_RASTER));
         let (xz_low, xz_high) = x.bitcast::<u32x16<S>>().interleave(z.bitcast::<u32x16<S>>());
         let (yw_low, yw_high) = y.bitcast::<u32x16<S>>().interleave(inv_w.bitcast::<u32x16<S>>());

@@ -209,7 +209,7 @@ fn culled(cull: Cull, front: FrontFace) -> (bool, bool) {
 /// The target, with a depth buffer of ours if it has none and there is more than one flush.
 fn with_depth<'a>(target: &'a mut Target<'_>, depth: &'a mut [f32], flushes: usize) -> Target<'a> {
     let pixels = target.width as usize * target.height as usize;
-    let own = (flushes > 1).then(|| &mut depth[..pixels]);
+    let own = (flushes > 1 && target.depth.is_none()).then(|| &mut depth[..pixels]);
     Target {
         width: target.width,
         height: target.height,
