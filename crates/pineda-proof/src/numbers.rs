@@ -124,7 +124,7 @@ fn depth(sample: &Sample, t: Triangle, z: [f32; 3], linear: &[Rational; 3], tall
 /// Whether a vertex surely needs no clipping.
 fn is_on_raster([x, y, z, w]: [f32; 4], case: &Case) -> bool {
     let pixels = |v: f32, size: u32| (f64::from(v) / f64::from(w) * 0.5 + 0.5).abs() * f64::from(size);
-    let is_in_band = pixels(x, case.width as u32) < 32_767.0 && pixels(y, case.height as u32) < 32_767.0;
+    let is_in_band = pixels(x, case.width) < 32_767.0 && pixels(y, case.height) < 32_767.0;
     w > 0.0 && (0.0..=w).contains(&z) && is_in_band
 }
 

@@ -151,7 +151,8 @@ fn what_is_hidden_does_not_depend_on_tiles() {
         layer.vertices.extend([vertex(-9.0, -9.0, wall), vertex(500.0, -9.0, wall), vertex(-9.0, 500.0, wall)]);
         for _ in 0..60 {
             let start = [random.real(-9.0, 100.0), random.real(-9.0, 100.0)];
-            let step = [random.real(-40.0, 40.0), random.real(-40.0, 40.0)];
+            let size = random.pick(&[40.0, 300.0]);
+            let step = [random.real(-size, size), random.real(-size, size)];
             for t in [0.0, 1.0, 2.0] {
                 let [x, y] = [0, 1].map(|axis| start[axis] + t * step[axis] + random.real(-0.5, 0.5));
                 let z = if random.one_in(3) { wall } else { random.real(wall, 1.0) };
@@ -160,4 +161,19 @@ fn what_is_hidden_does_not_depend_on_tiles() {
         }
         vec![layer]
     });
+}
+
+/// All samples on the edge between the two corners that touch the wall are as far away as the wall; rounded, they are a little nearer, and so
+/// they are to be seen, however much of a tile is known to hold nothing beyond the wall. (A tile once left out what has no corner before it.)
+#[test]
+fn an_edge_that_rounds_to_before_the_wall_is_seen() {
+    let vertex = |x: f32, y: f32, z: f32| ProbeVertex { position: [x, y, z, 1.0], ..ProbeVertex::default() };
+    let wall = [vertex(-500.0, -500.0, 0.3), vertex(900.0, -500.0, 0.3), vertex(-500.0, 900.0, 0.3)];
+    let leaning = [vertex(-99.5, -99.5, 0.3), vertex(160.5, 160.5, 0.3), vertex(89.253_906, -155.394_53, 0.792_367_46)];
+    let state = DrawState { space: Space::Raster, ..DrawState::default() };
+    let layer = Layer { vertices: [wall, leaning].concat(), state, discards: false };
+    let mut renderers = Renderers::default();
+    for setting in 0..renderers.count() {
+        check(renderers.nth(setting), &[layer.clone()], 64, 64, &format!("setting {setting}"));
+    }
 }
