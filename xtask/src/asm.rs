@@ -14,8 +14,9 @@ use std::collections::BTreeMap;
 use std::process::Command;
 
 /// Functions that must not be called from a kernel: parts of these names.
-const LANE_CODE: [&str; 9] = [
+const LANE_CODE: [&str; 10] = [
     "fearless_simd::",
+    "pineda::wide",
     "pineda::lanes",
     "pineda::math",
     "pineda::transpose",
