@@ -1,5 +1,7 @@
 //! Whatever `#[shader]` may stand above, and what shaders are put together from.
 
+#![allow(unreachable_pub, reason = "what the attribute must leave alone")]
+
 use pineda::{Bool, Fragment, Lanes, Real, Rgba, Scalar, Shader, Vec3, Vec4, shader};
 
 /// A whole module at once: a shader, its helpers, an inner module, and attributes that are there already.

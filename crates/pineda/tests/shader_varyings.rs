@@ -1,5 +1,7 @@
 //! Structs as varyings: taken apart, put together again, and labelled with how each number is interpolated.
 
+#![allow(missing_docs, reason = "a test's types")]
+
 use pineda::Interpolation::{Flat, NoPerspective, Perspective};
 use pineda::{Lanes, Real, Rgba, Scalar, Varyings, Vec2, Vec3, Vec4, varyings};
 

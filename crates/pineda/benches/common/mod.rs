@@ -4,27 +4,27 @@
 
 use pineda::{Fragment, Lanes, Mat4, Rgba, Shader, Vec3, Vec4, shader, varyings};
 
-pub const WIDTH: u32 = 1920;
-pub const HEIGHT: u32 = 1080;
-pub const EYE: [f32; 3] = [0.0, 0.0, 7.5];
+pub(crate) const WIDTH: u32 = 1920;
+pub(crate) const HEIGHT: u32 = 1080;
+pub(crate) const EYE: [f32; 3] = [0.0, 0.0, 7.5];
 
 #[derive(Clone, Copy)]
-pub struct Vertex {
-    pub position: [f32; 3],
-    pub normal: [f32; 3],
-    pub color: [f32; 3],
+pub(crate) struct Vertex {
+    pub(crate) position: [f32; 3],
+    pub(crate) normal: [f32; 3],
+    pub(crate) color: [f32; 3],
 }
 
-pub struct Scene {
-    pub vertices: Vec<Vertex>,
-    pub indices: Vec<u32>,
-    pub camera: Mat4,
+pub(crate) struct Scene {
+    pub(crate) vertices: Vec<Vertex>,
+    pub(crate) indices: Vec<u32>,
+    pub(crate) camera: Mat4,
 }
 
-varyings! { pub struct Colored { color: Vec3 } }
+varyings! { pub(crate) struct Colored { color: Vec3 } }
 
-pub struct Gouraud {
-    pub camera: Mat4,
+pub(crate) struct Gouraud {
+    pub(crate) camera: Mat4,
 }
 
 #[shader]
@@ -41,13 +41,13 @@ impl Shader for Gouraud {
     }
 }
 
-varyings! { pub struct Lit { world: Vec3, normal: Vec3 } }
+varyings! { pub(crate) struct Lit { world: Vec3, normal: Vec3 } }
 
-pub struct BlinnPhong {
-    pub camera: Mat4,
-    pub eye: [f32; 3],
-    pub light: [f32; 3],
-    pub shininess: f32,
+pub(crate) struct BlinnPhong {
+    pub(crate) camera: Mat4,
+    pub(crate) eye: [f32; 3],
+    pub(crate) light: [f32; 3],
+    pub(crate) shininess: f32,
 }
 
 #[shader]
@@ -70,7 +70,7 @@ impl Shader for BlinnPhong {
 }
 
 /// Sixteen layers over the whole picture.
-pub fn fill(front_to_back: bool) -> Scene {
+pub(crate) fn fill(front_to_back: bool) -> Scene {
     let (mut vertices, mut indices) = (Vec::new(), Vec::new());
     for layer in 0..16u8 {
         let place = if front_to_back { layer } else { 15 - layer };
@@ -85,7 +85,7 @@ pub fn fill(front_to_back: bool) -> Scene {
 }
 
 /// A million triangles of about two pixels: a jittered grid.
-pub fn micro() -> Scene {
+pub(crate) fn micro() -> Scene {
     let (columns, rows) = (1000u32, 500u32);
     let mut state = 12345u32;
     let mut random = || {
@@ -105,7 +105,7 @@ pub fn micro() -> Scene {
 }
 
 /// A torus knot of 70,000 triangles that fills the picture.
-pub fn knot() -> Scene {
+pub(crate) fn knot() -> Scene {
     use std::f32::consts::TAU;
     let (along, around) = (700u32, 50u32);
     let curve = |t: f32| {

@@ -1,6 +1,12 @@
 //! The suite that a SIMD level must pass: every operation, on every level that this CPU has, bit for bit against
 //! [`Scalar`]. A NaN may have any sign and payload; everything else must agree in each bit.
 
+#![allow(
+    clippy::excessive_precision,
+    clippy::approx_constant,
+    reason = "these are values to try, written as they come"
+)]
+
 use super::{Lanes, Packet, Scalar};
 use crate::wide::dispatch;
 use fearless_simd::{Level, Simd};

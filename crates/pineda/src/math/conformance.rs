@@ -1,5 +1,11 @@
 //! The functions of `math`, on every SIMD level that this CPU has, bit for bit against scalar code.
 
+#![allow(
+    clippy::excessive_precision,
+    clippy::approx_constant,
+    reason = "these are values to try, written as they come"
+)]
+
 use super::{Bool, Mat4, Real, Vec3};
 use crate::lanes::Lanes;
 use crate::lanes::conformance::{SPECIAL, conformance, pairs};

@@ -67,7 +67,11 @@ pub(crate) fn large<S: Simd, K: Sink<S>>(
     lanes: &BlockLanes<S>,
     sink: &mut K,
 ) {
-    if sink.hides_tile(f32::from_bits(t.0[12])) {
+    let plane = DepthPlane::unpack(&t.0);
+    let (ax, ay) = t.vertex(0);
+    // Distances of a sample from the anchor, in pixels: exact.
+    let distance = |first: i32, anchor: i64| (first * SUBPIXELS + HALF_PIXEL - anchor as i32) as f32 / SUBPIXELS as f32;
+    if sink.hides_tile(depth_range(&plane, distance(view.x, ax), distance(view.y, ay), view.side).0) {
         return;
     }
     let samples = SampleBox::unpack(t.0[1], t.0[2]);
@@ -78,10 +82,7 @@ pub(crate) fn large<S: Simd, K: Sink<S>>(
     let Some(edges) = edges(t, px, py, (wx1 - wx0 + 1) * WINDOW, (wy1 - wy0 + 1) * WINDOW) else { return };
     let is_inside_all = edges.iter().all(|e| e.step_x == 0 && e.step_y == 0);
 
-    let plane = DepthPlane::unpack(&t.0);
-    let (ax, ay) = t.vertex(0);
-    // Distances of the first window's first sample from the anchor, in pixels: exact.
-    let (fx0, fy0) = ((px - ax as i32) as f32 / SUBPIXELS as f32, (py - ay as i32) as f32 / SUBPIXELS as f32);
+    let (fx0, fy0) = (distance(view.x + wx0 * WINDOW, ax), distance(view.y + wy0 * WINDOW, ay));
     let blocks = BlockEdges::new(s, lanes, &edges);
 
     let mut wy = wy0;
@@ -91,7 +92,7 @@ pub(crate) fn large<S: Simd, K: Sink<S>>(
             let (column, row) = ((wx - wx0) * WINDOW, (wy - wy0) * WINDOW);
             let (fx, fy) = (fx0 + column as f32, fy0 + row as f32);
             let window = (wy * (view.side / WINDOW) + wx) as usize;
-            let depths = depth_range(&plane, fx, fy);
+            let depths = depth_range(&plane, fx, fy, WINDOW);
             wx += 1;
             if sink.hides_window(window, depths.0) {
                 continue;
@@ -170,11 +171,11 @@ impl<S: Simd> BlockEdges<S> {
     }
 }
 
-/// The nearest and the farthest depth of a window, before clamping. Rounding is monotone: no sample's depth, computed by the same
+/// The nearest and the farthest depth of a square of samples, before clamping. Rounding is monotone: no sample's depth, computed by the same
 /// operations, lies outside.
 #[inline(always)]
-fn depth_range(plane: &DepthPlane, fx: f32, fy: f32) -> (f32, f32) {
-    let last = (WINDOW - 1) as f32;
+fn depth_range(plane: &DepthPlane, fx: f32, fy: f32, side: i32) -> (f32, f32) {
+    let last = (side - 1) as f32;
     let (left, right) = (fx * plane.dz_dx + plane.z0, (fx + last) * plane.dz_dx + plane.z0);
     let (top, bottom) = (fy * plane.dz_dy, (fy + last) * plane.dz_dy);
     (left.min(right) + top.min(bottom), left.max(right) + top.max(bottom))

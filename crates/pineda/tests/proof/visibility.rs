@@ -170,11 +170,11 @@ fn what_is_hidden_does_not_depend_on_tiles() {
 fn an_edge_that_rounds_to_before_the_wall_is_seen() {
     let vertex = |x: f32, y: f32, z: f32| ProbeVertex { position: [x, y, z, 1.0], ..ProbeVertex::default() };
     let wall = [vertex(-500.0, -500.0, 0.3), vertex(900.0, -500.0, 0.3), vertex(-500.0, 900.0, 0.3)];
-    let leaning = [vertex(-99.5, -99.5, 0.3), vertex(160.5, 160.5, 0.3), vertex(89.253_906, -155.394_53, 0.792_367_46)];
+    let leaning = [vertex(-99.5, -99.5, 0.3), vertex(160.5, 160.5, 0.3), vertex(89.253_91, -155.394_53, 0.792_367_46)];
     let state = DrawState { space: Space::Raster, ..DrawState::default() };
     let layer = Layer { vertices: [wall, leaning].concat(), state, discards: false };
     let mut renderers = Renderers::default();
     for setting in 0..renderers.count() {
-        check(renderers.nth(setting), &[layer.clone()], 64, 64, &format!("setting {setting}"));
+        check(renderers.nth(setting), std::slice::from_ref(&layer), 64, 64, &format!("setting {setting}"));
     }
 }
