@@ -165,7 +165,6 @@ fn what_is_hidden_does_not_depend_on_tiles() {
 
 /// All samples on the edge between the two corners that touch the wall are as far away as the wall; rounded, they are a little nearer, and so
 /// they are to be seen, however much of a tile is known to hold nothing beyond the wall.
-/// FAILS until `large` in src/tile/large.rs stops trusting the nearest *vertex*: `hides_tile` leaves the leaning triangle out.
 #[test]
 fn an_edge_that_rounds_to_before_the_wall_is_seen() {
     let vertex = |x: f32, y: f32, z: f32| ProbeVertex { position: [x, y, z, 1.0], ..ProbeVertex::default() };
