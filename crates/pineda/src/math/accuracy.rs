@@ -1,7 +1,7 @@
 //! How near the polynomials come to the true values: `libm`'s in f64, which are right to far more digits than an f32 has.
 //!
 //! The default tests walk through the floats in strides, a million points a function. `cargo test --release -- --ignored
-//! every_float` visits all of them; the figures in the functions' docs come from there.
+//! every_float` visits all of them. The largest errors there, in ULP: exp2 1.23, exp 0.99, log2 1.34, log 0.86, sin and cos 2.43.
 
 use super::{Real, Vec2, Vec3};
 use crate::lanes::Scalar;

@@ -97,7 +97,7 @@
 //! [`f.dx()`](Frag::dx) and [`f.dy()`](Frag::dy), the varyings' derivatives per pixel, want
 //! `const DERIVATIVES: bool = true;` in the impl; [`f.discard(mask)`](Frag::discard) wants `const DISCARDS: bool = true;`.
 //! Both cost time where they are switched on, so neither is unless asked for, and using one without its constant is an
-//! error with that advice. A checked and antialiased circle:
+//! error with that advice. A disc with a smooth edge:
 //!
 //! ```
 //! # use pineda::*;
@@ -152,8 +152,8 @@
 //! One thing only: **`sin`, `powf`, `exp` and their like on plain `f32`**, which are the standard library's and differ in
 //! their last bits from platform to platform. `self.roughness.powf(2.2)` in a shader is one of them. Compute such things
 //! with `libm`, once, when the shader is made; or write `f.splat(self.roughness).powf(2.2)`: the methods of
-//! [`Real`](crate::Real) are the same everywhere. (`sqrt`, `abs`, `floor`, `min` and `max` of a plain `f32` are safe, and
-//! so is `+ - * /`; `mul_add` of an `f32` is correct everywhere, too, but slow.)
+//! [`Real`](crate::Real) are the same everywhere. (`+ - * /`, `sqrt`, `abs`, `floor` and comparisons of plain `f32` are
+//! safe; `min` and `max` are, but for the sign of a zero.)
 //!
 //! # Mistakes that the compiler catches
 //!
