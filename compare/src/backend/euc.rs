@@ -35,19 +35,16 @@ impl Backend for Euc {
     fn draw(&mut self) -> Result<()> {
         self.color.clear(CLEAR_CODES);
         self.depth.clear(1.0);
+        let depth = Some(&mut self.depth);
         match self.scene.shading {
-            Shading::Gouraud => Colored { scene: &self.scene }
-                .draw::<Triangles<'_, Buffer2d<f32>, BackfaceCullingDisabled>, _>(
-                    &self.scene.indices,
-                    &mut self.color,
-                    Some(&mut self.depth),
-                ),
+            Shading::Gouraud => {
+                type Rasterizer<'a> = Triangles<'a, Buffer2d<f32>, BackfaceCullingDisabled>;
+                Colored { scene: &self.scene }.draw::<Rasterizer<'_>, _>(&self.scene.indices, &mut self.color, depth);
+            }
             Shading::BlinnPhong(uniforms) => {
-                Lit { scene: &self.scene, uniforms }.draw::<Triangles<'_, Buffer2d<f32>, BackfaceCullingEnabled>, _>(
-                    &self.scene.indices,
-                    &mut self.color,
-                    Some(&mut self.depth),
-                )
+                type Rasterizer<'a> = Triangles<'a, Buffer2d<f32>, BackfaceCullingEnabled>;
+                let pipeline = Lit { scene: &self.scene, uniforms };
+                pipeline.draw::<Rasterizer<'_>, _>(&self.scene.indices, &mut self.color, depth);
             }
         }
         Ok(())
