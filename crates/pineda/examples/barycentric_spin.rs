@@ -95,7 +95,7 @@ pub fn draw<E: From<Error>>(
 }
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    let path = std::env::args_os().nth(1).map_or("target/barycentric_spin.png".into(), PathBuf::from);
+    let path = std::env::args_os().nth(1).map_or("barycentric_spin.png".into(), PathBuf::from);
     let mut png = png::Encoder::new(File::create(path)?, SIZE, SIZE);
     png.set_color(png::ColorType::Rgba);
     png.set_animated(FRAMES, 0)?;

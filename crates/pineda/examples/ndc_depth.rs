@@ -50,7 +50,7 @@ pub fn draw(settings: Settings) -> Result<Vec<[u8; 4]>, Error> {
 }
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    let path = std::env::args_os().nth(1).map_or("target/ndc_depth.png".into(), PathBuf::from);
+    let path = std::env::args_os().nth(1).map_or("ndc_depth.png".into(), PathBuf::from);
     let mut png = png::Encoder::new(File::create(path)?, SIZE, SIZE);
     png.set_color(png::ColorType::Rgba);
     png.write_header()?.write_image_data(draw(Settings::default())?.as_flattened())?;

@@ -45,7 +45,7 @@ pub fn draw(settings: Settings) -> Result<Vec<[u8; 4]>, Error> {
 }
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    let path = std::env::args_os().nth(1).map_or("target/raster2d.ppm".into(), PathBuf::from);
+    let path = std::env::args_os().nth(1).map_or("raster2d.ppm".into(), PathBuf::from);
     let pixels = draw(Settings::default())?;
 
     let mut ppm = format!("P6\n{SIZE} {SIZE}\n255\n").into_bytes();

@@ -10,8 +10,9 @@ macro_rules! by_level {
     };
 }
 
-/// The value of a closure.
-#[inline]
+/// The value of a closure. Builds for debugging leave it a function: there, inlining it is most of what compiling a kernel takes.
+#[cfg_attr(debug_assertions, inline(never))]
+#[cfg_attr(not(debug_assertions), inline)]
 pub(super) fn apart<T>(closure: impl FnOnce() -> T) -> T {
     closure()
 }
