@@ -36,6 +36,11 @@ struct Corner {
 
 /// Clips a triangle with finite positions; `None` if nothing of it is left.
 pub(crate) fn clip(projection: &Projection, positions: [[f32; 4]; 3], screen: [ScreenVertex; 3]) -> Option<Clipped> {
+    // Seen edge-on it covers nothing. Its plane goes through the eye, and so may the edges of what clipping leaves of it: points that
+    // rounding alone would give a place.
+    if projection.is_edge_on(positions) {
+        return None;
+    }
     let corner = |k: usize| Corner {
         at: projection.homogeneous(positions[k]),
         on_raster: Some(screen[k]).filter(|v| !v.is_off_raster()),

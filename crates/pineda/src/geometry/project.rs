@@ -8,6 +8,7 @@
 //!
 //! f64 costs nothing that one can measure here and rounds right for vertices far outside the picture.
 
+use super::exact::determinant_is_zero;
 use super::raster_space::{GUARD_BAND, OFF_RASTER, SUBPIXELS, ScreenVertex};
 use crate::pass::{Space, Viewport};
 use crate::transpose::columns4;
@@ -74,6 +75,16 @@ impl Projection {
             Space::Raster => (x * w, y * w, z * w),
         };
         Homogeneous { x: x * self.scale[0] + w * self.offset[0], y: y * self.scale[1] + w * self.offset[1], z, w }
+    }
+
+    /// Whether a triangle's plane goes through the eye, exactly.
+    pub(crate) fn is_edge_on(&self, positions: [[f32; 4]; 3]) -> bool {
+        match self.space {
+            Space::Clip => determinant_is_zero(positions.map(|[x, y, _, w]| [x, y, w])),
+            Space::Raster => {
+                positions.iter().any(|p| p[3] == 0.0) || determinant_is_zero(positions.map(|[x, y, ..]| [x, y, 1.0]))
+            }
+        }
     }
 
     /// Why a vertex is off the raster: the half-spaces that it lies outside of. Several at once, or `NON_FINITE` alone.

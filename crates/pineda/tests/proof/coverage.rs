@@ -5,7 +5,7 @@ use pineda_proof::{Judge, Tally};
 use std::sync::atomic::{AtomicU64, Ordering};
 
 /// With the compiler's overflow checks every case takes several times as long.
-const CASES: u64 = if cfg!(debug_assertions) { 30_000 } else { 40_000 };
+const CASES: u64 = if cfg!(debug_assertions) { 30_000 } else { 300_000 };
 
 #[test]
 fn every_pixel_is_the_oracles() {
@@ -40,7 +40,11 @@ fn every_pixel_is_the_oracles() {
 }
 
 /// Found by `cargo xtask prove` or while it was written: the numbers of cases that once failed.
-const ONCE_WRONG: [u64; 0] = [];
+const ONCE_WRONG: [u64; 3] = [
+    // Cuts pixels off where an edge spans many orders of magnitude.
+    3_399, 11_817, // Seen edge-on, with a corner at infinity: cut to points that rounding placed.
+    40_591,
+];
 
 #[test]
 fn cases_that_once_failed_pass() {
