@@ -35,10 +35,22 @@ pub(crate) fn prove(arguments: &[String]) -> Result<(), String> {
         .args(arguments))
 }
 
-/// `cargo xtask compare`: a workspace of its own, whose dependencies are no part of this one.
+/// `cargo xtask compare`: a workspace of its own, whose dependencies are no part of this one. euc has its program twice, for it is the only one
+/// that must be built for this machine to show what it can do.
 pub(crate) fn compare(arguments: &[String]) -> Result<(), String> {
     let folder = root().join("compare");
-    run(cargo().current_dir(&folder).args(["run", "--release", "--"]).args(arguments)).map_err(|problem| {
+    let cargo = || {
+        let mut cargo = cargo();
+        cargo.current_dir(&folder).env_remove("CARGO_TARGET_DIR");
+        cargo
+    };
+    let native = folder.join("target/native");
+    run(cargo()
+        .args(["build", "--release", "--no-default-features", "--target-dir"])
+        .arg(&native)
+        .env("RUSTFLAGS", "-C target-cpu=native"))?;
+    let native = native.join("release").join(format!("pineda-compare{}", std::env::consts::EXE_SUFFIX));
+    run(cargo().args(["run", "--release", "--", "--native"]).arg(native).args(arguments)).map_err(|problem| {
         format!(
             "{problem}\nThe peers: `apt-get install mesa-vulkan-drivers libvulkan1` for lavapipe, `apt-get install chromium` for SwiftShader's \
              library; euc is a crate. {}/README.md says where they are looked for.",

@@ -107,18 +107,17 @@ impl TileRows {
         blocks: impl Fn(usize) -> usize,
         convert: impl Fn(U) -> T,
     ) {
-        self.for_each(band, blocks, |piece, block, first| {
-            let samples = &source[block][first..first + 4];
-            if let Ok(four) = <&mut [T; 4]>::try_from(&mut *piece) {
-                for k in 0..4 {
-                    four[k] = convert(samples[k]);
-                }
-            } else {
-                for (to, &from) in piece.iter_mut().zip(samples) {
-                    *to = convert(from);
-                }
+        for row in 0..self.rows {
+            let first = row * self.width + self.x;
+            let (whole, rest) = band[first..first + self.columns].as_chunks_mut::<4>();
+            let samples = source[blocks(row / 4)..].iter().map(|block| &block.as_chunks::<4>().0[row % 4]);
+            for (four, samples) in whole.iter_mut().zip(samples.clone()) {
+                *four = samples.map(&convert);
             }
-        });
+            for (to, &from) in rest.iter_mut().zip(samples.skip(whole.len()).flatten()) {
+                *to = convert(from);
+            }
+        }
     }
 
     /// Copies into blocks.

@@ -71,7 +71,7 @@ pub(crate) fn large<S: Simd, K: Sink<S>>(
     let (ax, ay) = t.vertex(0);
     // Distances of a sample from the anchor, in pixels: exact.
     let distance = |first: i32, anchor: i64| (first * SUBPIXELS + HALF_PIXEL - anchor as i32) as f32 / SUBPIXELS as f32;
-    if sink.hides_tile(depth_range(&plane, distance(view.x, ax), distance(view.y, ay), view.side).0) {
+    if sink.hides_tile(s, depth_range(&plane, distance(view.x, ax), distance(view.y, ay), view.side).0) {
         return;
     }
     let samples = SampleBox::unpack(t.0[1], t.0[2]);

@@ -21,10 +21,10 @@ pub(crate) struct Tile {
     pub(crate) depth: Vec<[i32; 16]>,
     /// The visible triangle of each sample, a [`TriangleId`](crate::raster::triangle_id::TriangleId); 0 is none.
     pub(crate) id: Vec<[u32; 16]>,
-    /// An upper bound of the depths in each 16 x 16 window, row by row. What is not nearer is hidden.
+    /// An upper bound of the depths in each 16 x 16 window, row by row. What is not nearer is hidden. Of a smaller tile than 64 x 64, those
+    /// that it does not have are 0.
     pub(crate) windows: [f32; 16],
-    /// The largest of them.
-    pub(crate) farthest: f32,
+    window_count: usize,
     /// The triangle that each sample shows, whether its colour is there already or not; empty unless the target asks for it.
     pub(crate) shown: Vec<[u32; 16]>,
     pub(crate) worklist: mid::Worklist,
@@ -38,12 +38,13 @@ impl Tile {
         self.depth.resize(blocks, [depth.to_bits() as i32; 16]);
         self.id.clear();
         self.id.resize(blocks, [0; 16]);
+        self.window_count = (view.side as usize / 16).pow(2);
         self.bound(depth);
     }
 
     /// Forgets what is known of the depths but that none is beyond `farthest`.
     pub(crate) fn bound(&mut self, farthest: f32) {
-        self.windows = [farthest; 16];
-        self.farthest = farthest;
+        self.windows = [0.0; 16];
+        self.windows[..self.window_count].fill(farthest);
     }
 }

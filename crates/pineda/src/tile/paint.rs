@@ -160,12 +160,11 @@ impl Painter {
         compare: Compare,
     ) {
         let (tile, rect) = (&mut self.tile, segment.rect.as_ref());
-        let windows = (view.side as usize / 16).pow(2);
         let wants_ids = painting.wants.ids || painting.wants.color != ColorFormat::None;
         dispatch!(painting.level, s => match (compare, wants_ids) {
-            (Compare::Less, true) => visibility::<_, true>(s, share, entries, view, rect, tile, windows),
-            (Compare::Less, false) => visibility::<_, false>(s, share, entries, view, rect, tile, windows),
-            _ => any_visibility(s, share, entries, view, rect, tile, windows, compare),
+            (Compare::Less, true) => visibility::<_, true>(s, share, entries, view, rect, tile),
+            (Compare::Less, false) => visibility::<_, false>(s, share, entries, view, rect, tile),
+            _ => any_visibility(s, share, entries, view, rect, tile, compare),
         });
     }
 
@@ -248,9 +247,8 @@ fn visibility<S: Simd, const ID: bool>(
     view: &TileView,
     rect: Option<&PixelRect>,
     tile: &mut Tile,
-    windows: usize,
 ) {
-    let (mut sink, work) = Visibility::<Less, ID>::new::<S>(tile, windows, Less);
+    let (mut sink, work) = Visibility::<Less, ID>::new::<S>(tile, Less);
     cover(s, share, entries, view, rect, work, &mut sink);
 }
 
@@ -263,10 +261,9 @@ fn any_visibility<S: Simd>(
     view: &TileView,
     rect: Option<&PixelRect>,
     tile: &mut Tile,
-    windows: usize,
     compare: Compare,
 ) {
-    let (mut sink, work) = Visibility::<AnyCompare, true>::new::<S>(tile, windows, AnyCompare(compare));
+    let (mut sink, work) = Visibility::<AnyCompare, true>::new::<S>(tile, AnyCompare(compare));
     cover(s, share, entries, view, rect, work, &mut sink);
 }
 
@@ -363,7 +360,7 @@ impl<S: Simd, F: FnMut(&[OrderedPacket])> Sink<S> for InOrder<'_, F> {
     }
 
     #[inline(always)]
-    fn hides_tile(&self, _: f32) -> bool {
+    fn hides_tile(&self, _: S, _: f32) -> bool {
         false
     }
 

@@ -10,7 +10,7 @@ pub(crate) trait Sink<S: Simd> {
     fn samples(&mut self, s: S, block: usize, inside: mask32x16<S>, z: f32x16<S>, id: u32);
 
     /// Whether a triangle that is nowhere nearer than `nearest` can be left out of the whole tile.
-    fn hides_tile(&self, nearest: f32) -> bool;
+    fn hides_tile(&self, s: S, nearest: f32) -> bool;
 
     /// Whether it can be left out of a 16 x 16 window.
     fn hides_window(&self, window: usize, nearest: f32) -> bool;
@@ -68,22 +68,19 @@ pub(crate) struct Visibility<'a, T, const ID: bool> {
     tile_depth: &'a mut [[i32; 16]],
     tile_id: &'a mut [[u32; 16]],
     windows: &'a mut [f32; 16],
-    farthest: &'a mut f32,
-    window_count: usize,
     test: T,
 }
 
 impl<'a, T, const ID: bool> Visibility<'a, T, ID> {
-    /// `window_count` is the number of 16 x 16 windows in the tile.
-    pub(crate) fn new<S: Simd>(tile: &'a mut Tile, window_count: usize, test: T) -> (Self, &'a mut super::mid::Worklist)
+    pub(crate) fn new<S: Simd>(tile: &'a mut Tile, test: T) -> (Self, &'a mut super::mid::Worklist)
     where
         T: DepthTest<S>,
     {
         if !T::NEARER_ONLY {
             tile.bound(1.0);
         }
-        let Tile { depth, id, windows, farthest, worklist, .. } = tile;
-        (Self { tile_depth: depth, tile_id: id, windows, farthest, window_count, test }, worklist)
+        let Tile { depth, id, windows, worklist, .. } = tile;
+        (Self { tile_depth: depth, tile_id: id, windows, test }, worklist)
     }
 }
 
@@ -103,8 +100,8 @@ impl<S: Simd, T: DepthTest<S>, const ID: bool> Sink<S> for Visibility<'_, T, ID>
     }
 
     #[inline(always)]
-    fn hides_tile(&self, nearest: f32) -> bool {
-        T::NEARER_ONLY && nearest >= *self.farthest
+    fn hides_tile(&self, s: S, nearest: f32) -> bool {
+        T::NEARER_ONLY && f32x16::simd_from(s, *self.windows).simd_le(nearest).to_bitmask() == 0xffff
     }
 
     #[inline(always)]
@@ -116,11 +113,7 @@ impl<S: Simd, T: DepthTest<S>, const ID: bool> Sink<S> for Visibility<'_, T, ID>
     fn covered_window(&mut self, window: usize, farthest: f32) {
         if T::NEARER_ONLY {
             let bound = &mut self.windows[window & 15];
-            if farthest < *bound {
-                *bound = farthest.max(0.0);
-                let windows = &self.windows[..self.window_count];
-                *self.farthest = windows.iter().fold(0.0, |far: f32, &w| far.max(w));
-            }
+            *bound = bound.min(farthest.max(0.0));
         }
     }
 }
@@ -137,7 +130,7 @@ impl<S: Simd> Sink<S> for HitCounter<'_> {
     }
 
     #[inline(always)]
-    fn hides_tile(&self, _: f32) -> bool {
+    fn hides_tile(&self, _: S, _: f32) -> bool {
         false
     }
 
