@@ -45,6 +45,7 @@ fn polynomials_have_the_same_bits_at_every_level() {
         float exp<L>(lanes, a, b) = Real::<L>(a).exp().0;
         float log2<L>(lanes, a, b) = Real::<L>(a).log2().0;
         float log<L>(lanes, a, b) = Real::<L>(a).log().0;
+        float inverse_sqrt<L>(lanes, a, b) = Real::<L>(a).inverse_sqrt().0;
         float sin<L>(lanes, a, b) = Real::<L>(a).sin().0;
         float cos<L>(lanes, a, b) = Real::<L>(a).cos().0;
         float sin_2_pi<L>(lanes, a, b) = (Real::<L>(a).fract() * 6.28).sin().0;

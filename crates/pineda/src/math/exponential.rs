@@ -91,6 +91,29 @@ impl<L: Lanes> Real<L> {
         n.eq(0.0).select(1.0, (n * self.log2()).exp2())
     }
 
+    /// 1 over the square root, to 1.5 ULP, in a fifth of the time that the square root and the division take. Infinity of 0 and of what is subnormal, 0 of
+    /// infinity, NaN below 0.
+    #[inline(always)]
+    pub fn inverse_sqrt(self) -> Self {
+        let above = self.eq(f32::INFINITY).select(0.0, self.inverse_sqrt_of_normal());
+        let below = self.lt(0.0).select(f32::NAN, f32::INFINITY);
+        self.lt(f32::MIN_POSITIVE).select(below, above)
+    }
+
+    /// [`inverse_sqrt`](Self::inverse_sqrt) of a normal number; NaN of NaN, junk of anything else.
+    ///
+    /// Halving the bits halves the exponent: a first guess. Two steps of Newton's with constants that make the largest error smallest
+    /// (Kadlec 2010, "Improving the fast inverse square root") leave 4e-7; the third adds what is missing, so that its own rounding hardly counts.
+    #[inline(always)]
+    pub(super) fn inverse_sqrt_of_normal(self) -> Self {
+        let lanes = self.lanes();
+        let guess = Self(L::bits_f(L::isub(lanes.int(0x5f1f_fff9), L::ishr(L::f_bits(self.0), 1))));
+        let half = 0.5 * self;
+        let y = (guess * 0.703_952_25) * (2.389_244_6 - (self * guess) * guess);
+        let y = y * (1.500_000_3 - (half * y) * y);
+        y + y * (0.5 - (half * y) * y)
+    }
+
     /// `self`, which must be from 1/2 to 2, times 2 to the power of the whole number in the low bits of `shifted`, which
     /// is [`ROUND`] plus that number. Junk where the product is not a normal number.
     #[inline(always)]

@@ -246,14 +246,14 @@ macro_rules! geometry {
                 (self - b.to_lanes(self.lanes())).length()
             }
 
-            /// The vector of length 1 in the same direction, to within 2 ULP; **zero for the zero vector**, and for
-            /// one so short that its squared length vanishes (below 1e-23). A vector so long that its squared length
-            /// overflows (above 1e19) gives zero too; NaN gives NaN.
+            /// The vector of length 1 in the same direction, to within 3 ULP; **zero for the zero vector**, and for
+            /// one so short that its squared length is not a normal number (below 1.1e-19). A vector so long that its squared length
+            /// overflows (above 1.8e19) gives zero too; NaN gives NaN.
             #[inline(always)]
             pub fn normalize(self) -> Self {
                 let squared = self.dot(self);
-                // Dividing zero by one instead of by zero costs one comparison and saves a NaN in the picture.
-                self / squared.eq(0.0).select(1.0, squared.sqrt())
+                let vanishes = squared.lt(f32::MIN_POSITIVE) | squared.eq(f32::INFINITY);
+                self * vanishes.select(0.0, squared.inverse_sqrt_of_normal())
             }
 
             /// This direction mirrored at a surface with the unit normal `normal`: `self - 2 (self . normal) normal`.

@@ -17,8 +17,8 @@ pub type Fragment<L, Sh> = Frag<L, <Sh as Shader>::Varyings<L>, Sh>;
 /// `V` is the varyings' type, `K` says what the stage may do: [`Fragment<L, Sh>`](Fragment) is the name to write.
 #[derive(Debug)]
 pub struct Frag<L: Lanes, V, K> {
-    parts: FragParts<L, V>,
-    kind: PhantomData<fn() -> K>,
+    pub(crate) parts: FragParts<L, V>,
+    pub(crate) kind: PhantomData<fn() -> K>,
 }
 
 /// The parts that a fragment is made of.
@@ -59,12 +59,6 @@ impl<Sh: Shader> FragmentKind for Sh {
 }
 
 impl<L: Lanes, V: Copy, K> Frag<L, V, K> {
-    /// Fragments about to be shaded.
-    #[inline(always)]
-    pub(crate) fn new(parts: FragParts<L, V>) -> Self {
-        Self { parts, kind: PhantomData }
-    }
-
     /// The lanes whose colour is to be written: those that covered something and were not discarded.
     #[inline(always)]
     pub(crate) fn alive(&self) -> Bool<L> {
@@ -231,7 +225,7 @@ mod tests {
     fn fragments<L: Lanes>(lanes: L) -> Fragment<L, Anything> {
         let lane = Real(lanes.iota());
         let constant = |x: f32| Real::<L>::new(lanes, x);
-        Frag::new(FragParts {
+        let parts = FragParts {
             varyings: Vec2::new(lane, constant(1.0)),
             dx: Vec2::new(constant(2.0), constant(3.0)),
             dy: Vec2::new(constant(4.0), constant(5.0)),
@@ -240,7 +234,8 @@ mod tests {
             z: constant(0.25),
             front_facing: lane.lt(4.0),
             alive: Bool(lanes.mask(0x7fff)),
-        })
+        };
+        Frag { parts, kind: PhantomData }
     }
 
     #[inline(always)]

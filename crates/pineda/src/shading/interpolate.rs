@@ -93,24 +93,16 @@ pub(crate) fn interpolate<S: Simd>(
     } else if rest == 0 {
         one(s, run, layout, fragments, TriangleId(first), lanes, last, rows);
     } else {
-        if fragments.mask == 0xffff && has_five(fragments.ids) {
-            return many(s, run, layout, fragments, first, lanes, rows);
-        }
+        let each = record_rows(layout.interpolation.len());
         let distinct = distinct(ids, fragments, first, FEW + 1);
-        if distinct.count <= FEW {
-            few::<S, false>(s, run, position, layout, fragments, &distinct, lanes, rows);
+        if distinct.count <= 2 {
+            apart(s, run, layout, fragments, &ByTriangle::<S, 2>::new(s, run, each, &distinct), lanes, rows);
+        } else if distinct.count <= FEW {
+            apart(s, run, layout, fragments, &ByTriangle::<S, FEW>::new(s, run, each, &distinct), lanes, rows);
         } else {
-            many(s, run, layout, fragments, first, lanes, rows);
+            apart(s, run, layout, fragments, &ByLane::new(s, run, each, fragments, first), lanes, rows);
         }
     }
-}
-
-/// Whether the corners of a block and one sample within show five different triangles: a quick way to know that there are many.
-#[inline(always)]
-fn has_five(ids: &[u32; 16]) -> bool {
-    let [a, b, c, d, e] = [ids[0], ids[3], ids[12], ids[15], ids[5]];
-    let corners = (a != b) & (a != c) & (a != d) & (b != c) & (b != d) & (c != d);
-    corners & (e != a) & (e != b) & (e != c) & (e != d)
 }
 
 #[inline(never)]
@@ -128,7 +120,7 @@ fn few_in_full<S: Simd>(
             let ids = u32x16::simd_from(s, *fragments.ids);
             let first = fragments.ids[fragments.mask.trailing_zeros() as usize & 15];
             let distinct = distinct(ids, fragments, first, 16);
-            few::<S, true>(s, run, position, layout, fragments, &distinct, &BlockLanes::new(s), rows);
+            in_full(s, run, position, layout, fragments, &distinct, &BlockLanes::new(s), rows);
         },
     );
 }
@@ -235,7 +227,7 @@ impl<S: Simd> Both<S> {
 
 /// The weights of one triangle, the places of its vertices in their order, and the provoking vertex's.
 #[inline(always)]
-fn triangle<S: Simd, const FULL: bool>(
+fn triangle<S: Simd>(
     s: S,
     run: &RunView<'_>,
     position: &dyn Fn(usize) -> [f32; 4],
@@ -244,13 +236,13 @@ fn triangle<S: Simd, const FULL: bool>(
     each: usize,
     lanes: &BlockLanes<S>,
 ) -> (Weights<S>, [usize; 4]) {
-    let (weights, places) = if FULL && id.is_clipped() {
+    let (weights, places) = if id.is_clipped() {
         let (weights, order) = of_clipped(s, run, position, id, fragments.x, fragments.y);
         let submitted = run.places(id);
         (weights, [submitted[order[0]], submitted[order[1]], submitted[order[2]]])
     } else {
         let places = run.canonical_places(id);
-        (of_triangle::<S, FULL>(s, run, each, places, fragments.x, fragments.y, lanes), places)
+        (of_triangle(s, run, each, places, fragments.x, fragments.y, lanes), places)
     };
     (weights, [places[0], places[1], places[2], run.places(id)[0]])
 }
@@ -289,7 +281,7 @@ fn distinct<S: Simd>(ids: u32x16<S>, fragments: &Fragments<'_>, first: u32, most
 
 #[inline(always)]
 #[expect(clippy::too_many_arguments, reason = "inlined")]
-fn few<S: Simd, const FULL: bool>(
+fn in_full<S: Simd>(
     s: S,
     run: &RunView<'_>,
     position: &dyn Fn(usize) -> [f32; 4],
@@ -303,20 +295,20 @@ fn few<S: Simd, const FULL: bool>(
     let mut places = [[0; 4]; 16];
     let mut masks = [mask32x16::splat(s, true); 16];
     let mut weights;
-    (weights, places[0]) = triangle::<S, FULL>(s, run, position, fragments, TriangleId(distinct.ids[0]), each, lanes);
+    (weights, places[0]) = triangle(s, run, position, fragments, TriangleId(distinct.ids[0]), each, lanes);
     let mut t = 1;
     while t < distinct.count {
         let id = TriangleId(distinct.ids[t & 15]);
-        let (next, next_places) = triangle::<S, FULL>(s, run, position, fragments, id, each, lanes);
+        let (next, next_places) = triangle(s, run, position, fragments, id, each, lanes);
         places[t & 15] = next_places;
         masks[t & 15] = mask32x16::from_bitmask(s, u64::from(distinct.masks[t & 15]));
-        weights.select::<FULL>(masks[t & 15], &next);
+        weights.select(masks[t & 15], &next);
         t += 1;
     }
-    let both = Both::new::<FULL>(s, &weights, layout);
+    let both = Both::new::<true>(s, &weights, layout);
     let mut k = 0;
     while k < layout.interpolation.len() {
-        let is_flat = FULL && layout.interpolation[k] == Interpolation::Flat;
+        let is_flat = layout.interpolation[k] == Interpolation::Flat;
         let [f0, d1, d2] = vertex_values(run, each, &places[0], k, is_flat);
         let mut corner = Corner3 { f0: f32x16::splat(s, f0), d1: f32x16::splat(s, d1), d2: f32x16::splat(s, d2) };
         let mut t = 1;
@@ -328,81 +320,101 @@ fn few<S: Simd, const FULL: bool>(
             corner.d2 = mask.select(f32x16::splat(s, d2), corner.d2);
             t += 1;
         }
-        both.set::<FULL>(layout, rows, k, corner);
+        both.set::<true>(layout, rows, k, corner);
         k += 1;
     }
 }
 
-#[inline(always)]
-fn many<S: Simd>(
-    s: S,
-    run: &RunView<'_>,
-    layout: &VaryingLayout,
-    fragments: &Fragments<'_>,
-    first: u32,
-    lanes: &BlockLanes<S>,
-    rows: &mut PacketRows<'_>,
-) {
-    let varyings = layout.interpolation.len();
-    let each = record_rows(varyings);
-    // Records' places, as submitted, then in canonical order.
-    let ids = u32x16::simd_from(s, *fragments.ids);
-    let ids = mask32x16::from_bitmask(s, u64::from(fragments.mask)).select(ids, u32x16::splat(s, first));
-    let id: [u32; 16] = ids.into();
-    let mut submitted = [[0; 16]; 3];
-    let mut lane = 0;
-    while lane < 16 {
-        let [a, b, c] = run.places(TriangleId(id[lane]));
-        let [a, b, c] = [(a * each) as u32, (b * each) as u32, (c * each) as u32];
-        (submitted[0][lane], submitted[1][lane], submitted[2][lane]) = (a, b, c);
-        lane += 1;
-    }
-    let [a, b, c] =
-        [u32x16::simd_from(s, submitted[0]), u32x16::simd_from(s, submitted[1]), u32x16::simd_from(s, submitted[2])];
-    let code: i32x16<S> = (ids & ((1 << ORDER_BITS) - 1)).bitcast();
-    let (first_is_1, first_is_2) = (code.simd_eq(1) | code.simd_eq(4), code.simd_eq(2) | code.simd_eq(5));
-    let counter_clockwise = code.simd_ge(3);
-    let second = first_is_1.select(c, first_is_2.select(a, b));
-    let third = first_is_1.select(a, first_is_2.select(b, c));
-    let places: [[u32; 16]; 3] = [
-        first_is_1.select(b, first_is_2.select(c, a)).into(),
-        counter_clockwise.select(third, second).into(),
-        counter_clockwise.select(second, third).into(),
-    ];
-    // The first row of each record holds x, y, 1 / w and the first varying.
-    let (mut a, mut b, mut c) = (row(s, run, &places[0], 0), row(s, run, &places[1], 0), row(s, run, &places[2], 0));
-    let x = (lanes.column << 8) + (fragments.x * SUBPIXELS + HALF_PIXEL);
-    let y = (lanes.row << 8) + (fragments.y * SUBPIXELS + HALF_PIXEL);
-    let vx = [a[0].bitcast::<i32x16<S>>() - x, b[0].bitcast::<i32x16<S>>() - x, c[0].bitcast::<i32x16<S>>() - x];
-    let vy = [a[1].bitcast::<i32x16<S>>() - y, b[1].bitcast::<i32x16<S>>() - y, c[1].bitcast::<i32x16<S>>() - y];
-    let weights = of_lanes(vx, vy, [a[2].bitcast(), b[2].bitcast(), c[2].bitcast()]);
-    let both = Both::new::<false>(s, &weights, layout);
-    let mut r = 0;
-    while r < each {
-        if r != 0 {
-            a = row(s, run, &places[0], r);
-            b = row(s, run, &places[1], r);
-            c = row(s, run, &places[2], r);
+/// Where the lanes' vertex records come from.
+trait Vertices<S: Simd> {
+    /// Row `r` of the records of each lane's vertex `corner`, in canonical order: four words, lane by lane.
+    fn row(&self, s: S, run: &RunView<'_>, corner: usize, r: usize) -> [u32x16<S>; 4];
+}
+
+/// Up to `N` triangles, taken in turn.
+struct ByTriangle<S: Simd, const N: usize> {
+    /// The first rows of the three vertices' records.
+    at: [[usize; 3]; N],
+    /// The lanes of each; the first has those of none other.
+    masks: [mask32x16<S>; N],
+}
+
+impl<S: Simd, const N: usize> ByTriangle<S, N> {
+    #[inline(always)]
+    fn new(s: S, run: &RunView<'_>, each: usize, distinct: &Distinct) -> Self {
+        let mut this = Self { at: [[0; 3]; N], masks: [mask32x16::from_bitmask(s, 0); N] };
+        let mut t = 0;
+        while t < N {
+            // Beyond the last the first one again, for no lane: a branch would cost more.
+            let [a, b, c] = run.canonical_places(TriangleId(distinct.ids[t & 15]));
+            this.at[t] = [a * each, b * each, c * each];
+            this.masks[t] = mask32x16::from_bitmask(s, u64::from(distinct.masks[t & 15]));
+            t += 1;
         }
-        let mut i = 0;
-        while i < 4 {
-            // Words before the varyings, or behind the last.
-            let k = (4 * r + i).wrapping_sub(RECORD_HEADER);
-            if k < varyings {
-                let f0: f32x16<S> = a[i].bitcast();
-                let corner = Corner3 { f0, d1: b[i].bitcast::<f32x16<S>>() - f0, d2: c[i].bitcast::<f32x16<S>>() - f0 };
-                both.set::<false>(layout, rows, k, corner);
-            }
-            i += 1;
-        }
-        r += 1;
+        this
     }
 }
 
-/// Row `r` of each lane's record, as four vectors.
-#[inline(always)]
-fn row<S: Simd>(s: S, run: &RunView<'_>, at: &[u32; 16], r: usize) -> [u32x16<S>; 4] {
-    columns4(four(s, run, at, r, 0), four(s, run, at, r, 4), four(s, run, at, r, 8), four(s, run, at, r, 12))
+impl<S: Simd, const N: usize> Vertices<S> for ByTriangle<S, N> {
+    #[inline(always)]
+    fn row(&self, s: S, run: &RunView<'_>, corner: usize, r: usize) -> [u32x16<S>; 4] {
+        let [x, y, z, w] = run.records[self.at[0][corner] + r];
+        let mut row = [u32x16::splat(s, x), u32x16::splat(s, y), u32x16::splat(s, z), u32x16::splat(s, w)];
+        let mut t = 1;
+        while t < N {
+            let [x, y, z, w] = run.records[self.at[t][corner] + r];
+            row[0] = self.masks[t].select(u32x16::splat(s, x), row[0]);
+            row[1] = self.masks[t].select(u32x16::splat(s, y), row[1]);
+            row[2] = self.masks[t].select(u32x16::splat(s, z), row[2]);
+            row[3] = self.masks[t].select(u32x16::splat(s, w), row[3]);
+            t += 1;
+        }
+        row
+    }
+}
+
+/// A triangle for each lane: the first rows of its three vertices' records.
+struct ByLane([[u32; 16]; 3]);
+
+impl ByLane {
+    #[inline(always)]
+    fn new<S: Simd>(s: S, run: &RunView<'_>, each: usize, fragments: &Fragments<'_>, first: u32) -> Self {
+        let ids = u32x16::simd_from(s, *fragments.ids);
+        let ids = mask32x16::from_bitmask(s, u64::from(fragments.mask)).select(ids, u32x16::splat(s, first));
+        let id: [u32; 16] = ids.into();
+        // As submitted, then in canonical order.
+        let mut submitted = [[0; 16]; 3];
+        let mut lane = 0;
+        while lane < 16 {
+            let [a, b, c] = run.places(TriangleId(id[lane]));
+            let [a, b, c] = [(a * each) as u32, (b * each) as u32, (c * each) as u32];
+            (submitted[0][lane], submitted[1][lane], submitted[2][lane]) = (a, b, c);
+            lane += 1;
+        }
+        let [a, b, c] = [
+            u32x16::simd_from(s, submitted[0]),
+            u32x16::simd_from(s, submitted[1]),
+            u32x16::simd_from(s, submitted[2]),
+        ];
+        let code: i32x16<S> = (ids & ((1 << ORDER_BITS) - 1)).bitcast();
+        let (first_is_1, first_is_2) = (code.simd_eq(1) | code.simd_eq(4), code.simd_eq(2) | code.simd_eq(5));
+        let counter_clockwise = code.simd_ge(3);
+        let second = first_is_1.select(c, first_is_2.select(a, b));
+        let third = first_is_1.select(a, first_is_2.select(b, c));
+        Self([
+            first_is_1.select(b, first_is_2.select(c, a)).into(),
+            counter_clockwise.select(third, second).into(),
+            counter_clockwise.select(second, third).into(),
+        ])
+    }
+}
+
+impl<S: Simd> Vertices<S> for ByLane {
+    #[inline(always)]
+    fn row(&self, s: S, run: &RunView<'_>, corner: usize, r: usize) -> [u32x16<S>; 4] {
+        let at = &self.0[corner];
+        columns4(four(s, run, at, r, 0), four(s, run, at, r, 4), four(s, run, at, r, 8), four(s, run, at, r, 12))
+    }
 }
 
 #[inline(always)]
@@ -417,4 +429,44 @@ fn four<S: Simd>(s: S, run: &RunView<'_>, at: &[u32; 16], r: usize, lane: usize)
 #[inline(always)]
 fn load<S: Simd>(s: S, run: &RunView<'_>, at: usize) -> u32x4<S> {
     u32x4::simd_from(s, run.records[at])
+}
+
+/// Lanes that each have vertices of their own.
+#[inline(always)]
+fn apart<S: Simd>(
+    s: S,
+    run: &RunView<'_>,
+    layout: &VaryingLayout,
+    fragments: &Fragments<'_>,
+    vertices: &impl Vertices<S>,
+    lanes: &BlockLanes<S>,
+    rows: &mut PacketRows<'_>,
+) {
+    let varyings = layout.interpolation.len();
+    // The first row of each record holds x, y, 1 / w and the first varying.
+    let (mut a, mut b, mut c) = (vertices.row(s, run, 0, 0), vertices.row(s, run, 1, 0), vertices.row(s, run, 2, 0));
+    let x = (lanes.column << 8) + (fragments.x * SUBPIXELS + HALF_PIXEL);
+    let y = (lanes.row << 8) + (fragments.y * SUBPIXELS + HALF_PIXEL);
+    let vx = [a[0].bitcast::<i32x16<S>>() - x, b[0].bitcast::<i32x16<S>>() - x, c[0].bitcast::<i32x16<S>>() - x];
+    let vy = [a[1].bitcast::<i32x16<S>>() - y, b[1].bitcast::<i32x16<S>>() - y, c[1].bitcast::<i32x16<S>>() - y];
+    let weights = of_lanes(vx, vy, [a[2].bitcast(), b[2].bitcast(), c[2].bitcast()]);
+    let both = Both::new::<false>(s, &weights, layout);
+    let mut r = 0;
+    while r < record_rows(varyings) {
+        if r != 0 {
+            (a, b, c) = (vertices.row(s, run, 0, r), vertices.row(s, run, 1, r), vertices.row(s, run, 2, r));
+        }
+        let mut i = 0;
+        while i < 4 {
+            // Words before the varyings, or behind the last.
+            let k = (4 * r + i).wrapping_sub(RECORD_HEADER);
+            if k < varyings {
+                let f0: f32x16<S> = a[i].bitcast();
+                let corner = Corner3 { f0, d1: b[i].bitcast::<f32x16<S>>() - f0, d2: c[i].bitcast::<f32x16<S>>() - f0 };
+                both.set::<false>(layout, rows, k, corner);
+            }
+            i += 1;
+        }
+        r += 1;
+    }
 }

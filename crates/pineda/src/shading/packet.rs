@@ -8,6 +8,7 @@ use crate::math::{Bool, Real};
 use crate::raster::triangle_id::{CLIPPED_CLOCKWISE, ORDER_BITS};
 use crate::tile::view::BlockLanes;
 use crate::wide::{Simd, i32x16, mask32x16, u32x16};
+use core::marker::PhantomData;
 
 /// Packets that go through the fragment stage at a time.
 pub(crate) const BATCH: usize = 16;
@@ -138,16 +139,20 @@ impl PacketBatch {
             let ids = u32x16::simd_from(s, packet.ids);
             let code: i32x16<S> = (ids & ((1 << ORDER_BITS) - 1)).bitcast();
             let clockwise = code.simd_lt(3) | code.simd_eq(CLIPPED_CLOCKWISE as i32);
-            let mut fragment = Frag::new(FragParts {
-                varyings,
-                dx,
-                dy,
-                x: Real(lanes.x + (packet.x as f32 + 0.5)),
-                y: Real(lanes.y + (packet.y as f32 + 0.5)),
-                z: Real(i32x16::simd_from(s, packet.depth).bitcast()),
-                front_facing: Bool(if self.front_is_clockwise { clockwise } else { !clockwise }),
-                alive: Bool(mask32x16::from_bitmask(s, u64::from(packet.alive))),
-            });
+            // Made in place: as an argument it would be copied through memory.
+            let mut fragment = Frag {
+                kind: PhantomData,
+                parts: FragParts {
+                    varyings,
+                    dx,
+                    dy,
+                    x: Real(lanes.x + (packet.x as f32 + 0.5)),
+                    y: Real(lanes.y + (packet.y as f32 + 0.5)),
+                    z: Real(i32x16::simd_from(s, packet.depth).bitcast()),
+                    front_facing: Bool(if self.front_is_clockwise { clockwise } else { !clockwise }),
+                    alive: Bool(mask32x16::from_bitmask(s, u64::from(packet.alive))),
+                },
+            };
             let color = stage.run(&mut fragment);
             color.r.0.store_slice(&mut packet.color[0]);
             color.g.0.store_slice(&mut packet.color[1]);

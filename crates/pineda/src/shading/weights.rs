@@ -65,17 +65,15 @@ impl<S: Simd> Weights<S> {
 
     /// Takes over another triangle's weights in the lanes of a mask.
     #[inline(always)]
-    pub(crate) fn select<const FULL: bool>(&mut self, mask: mask32x16<S>, other: &Self) {
+    pub(crate) fn select(&mut self, mask: mask32x16<S>, other: &Self) {
         let mut k = 0;
         while k < 3 {
             self.perspective[k] = mask.select(other.perspective[k], self.perspective[k]);
-            if FULL {
-                self.linear[k] = mask.select(other.linear[k], self.linear[k]);
-                self.dx[k] = mask.select(other.dx[k], self.dx[k]);
-                self.dy[k] = mask.select(other.dy[k], self.dy[k]);
-                self.linear_dx[k] = mask.select(other.linear_dx[k], self.linear_dx[k]);
-                self.linear_dy[k] = mask.select(other.linear_dy[k], self.linear_dy[k]);
-            }
+            self.linear[k] = mask.select(other.linear[k], self.linear[k]);
+            self.dx[k] = mask.select(other.dx[k], self.dx[k]);
+            self.dy[k] = mask.select(other.dy[k], self.dy[k]);
+            self.linear_dx[k] = mask.select(other.linear_dx[k], self.linear_dx[k]);
+            self.linear_dy[k] = mask.select(other.linear_dy[k], self.linear_dy[k]);
             k += 1;
         }
     }
@@ -83,7 +81,7 @@ impl<S: Simd> Weights<S> {
 
 /// The same for all samples of a block: one triangle, at the block whose first pixel is (x, y).
 #[inline(always)]
-pub(crate) fn of_triangle<S: Simd, const FULL: bool>(
+pub(crate) fn of_triangle<S: Simd>(
     s: S,
     run: &RunView<'_>,
     rows: usize,
@@ -144,14 +142,12 @@ pub(crate) fn of_triangle<S: Simd, const FULL: bool>(
     let mut w = edge;
     let mut k = 0;
     while k < 3 {
-        if FULL {
-            dx[k] = f32x16::splat(s, step_x[k] as f32 * SUBPIXELS as f32);
-            dy[k] = f32x16::splat(s, step_y[k] as f32 * SUBPIXELS as f32);
-        }
+        dx[k] = f32x16::splat(s, step_x[k] as f32 * SUBPIXELS as f32);
+        dy[k] = f32x16::splat(s, step_y[k] as f32 * SUBPIXELS as f32);
         w[k] = f32x16::splat(s, inv_w[k]);
         k += 1;
     }
-    Weights::from_edges::<FULL>(edge, dx, dy, w)
+    Weights::from_edges::<true>(edge, dx, dy, w)
 }
 
 /// One triangle on the raster, ready for any block: what stays the same from block to block is computed once.

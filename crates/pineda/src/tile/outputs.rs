@@ -177,7 +177,7 @@ fn coordinates<S: Simd>(
     } else {
         let order = ORDERS[id.order_code() as usize & 7].map(usize::from);
         let places = order.map(|k| submitted[k]);
-        (of_triangle::<S, false>(s, run, rows, places, x, y, &BlockLanes::new(s)), order)
+        (of_triangle(s, run, rows, places, x, y, &BlockLanes::new(s)), order)
     };
     let [a, b, c] = weights.perspective;
     let sum = (a + b) + c;
