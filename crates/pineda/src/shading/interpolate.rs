@@ -94,15 +94,28 @@ pub(crate) fn interpolate<S: Simd>(
         one(s, run, layout, fragments, TriangleId(first), lanes, last, rows);
     } else {
         let each = record_rows(layout.interpolation.len());
-        let distinct = distinct(ids, fragments, first, FEW + 1);
+        if fragments.mask == 0xffff && has_five(fragments.ids) {
+            return apart(s, run, layout, fragments, &ByLane::new(s, run, each, fragments, first), lanes, rows);
+        }
+        let distinct = distinct(ids, fragments, first, 8 + 1);
         if distinct.count <= 2 {
             apart(s, run, layout, fragments, &ByTriangle::<S, 2>::new(s, run, each, &distinct), lanes, rows);
         } else if distinct.count <= FEW {
             apart(s, run, layout, fragments, &ByTriangle::<S, FEW>::new(s, run, each, &distinct), lanes, rows);
+        } else if distinct.count <= 8 {
+            apart(s, run, layout, fragments, &ByTriangle::<S, 8>::new(s, run, each, &distinct), lanes, rows);
         } else {
             apart(s, run, layout, fragments, &ByLane::new(s, run, each, fragments, first), lanes, rows);
         }
     }
+}
+
+/// Whether the corners of a block and one sample within show five different triangles: a quick way to know that there are many.
+#[inline(always)]
+fn has_five(ids: &[u32; 16]) -> bool {
+    let [a, b, c, d, e] = [ids[0], ids[3], ids[12], ids[15], ids[5]];
+    let corners = (a != b) & (a != c) & (a != d) & (b != c) & (b != d) & (c != d);
+    corners & (e != a) & (e != b) & (e != c) & (e != d)
 }
 
 #[inline(never)]
