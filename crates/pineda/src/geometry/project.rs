@@ -26,6 +26,10 @@ pub(crate) mod outcode {
     pub(crate) const NON_FINITE: u32 = 64;
 }
 
+/// A vertex whose 1 / w is larger than this or smaller than its reciprocal goes the careful way: times an edge function, of up to 2^49,
+/// and three of them summed, it could leave the range of f32.
+const LARGEST_INV_W: f32 = 18_446_744_073_709_551_616.0; // 2^64
+
 /// Maps positions of a [`Space`] to the raster.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Projection {
@@ -126,8 +130,7 @@ impl Projection {
         let in_band = mask32x16::from_bitmask(s, x_low_ok & y_low_ok | (x_high_ok & y_high_ok) << 8);
         let (x, y): (i32x16<S>, i32x16<S>) = (x_low.narrow(x_high), y_low.narrow(y_high));
 
-        // A w that is infinite, or so small that its reciprocal is infinite in f32, goes the careful way, too.
-        let in_view = in_view & w.simd_lt(f32::INFINITY) & inv_w.simd_lt(f32::INFINITY);
+        let in_view = in_view & inv_w.simd_ge(1.0 / LARGEST_INV_W) & inv_w.simd_le(LARGEST_INV_W);
         let on_raster = in_view & in_band;
         let x = on_raster.select(x, i32x16::splat(s, OFF_RASTER));
         let (xz_low, xz_high) = x.bitcast::<u32x16<S>>().interleave(z.bitcast::<u32x16<S>>());

@@ -8,7 +8,7 @@ pub struct Statistics {
     pub non_finite: u64,
     /// Of those, left out because they lie wholly outside the view volume or the guard band.
     pub outside: u64,
-    /// Of those, cut by the near plane, the far plane or the guard band.
+    /// Of those, cut by the near plane, the far plane or the guard band, or with a w beyond 2^64 or 2^-64: these take a slower way.
     pub clipped: u64,
     /// How many times what had been collected was drawn before the pass went on: 1 unless its geometry is larger
     /// than [`Settings::memory`](crate::Settings::memory).
