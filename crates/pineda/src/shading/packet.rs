@@ -7,7 +7,7 @@ use crate::lanes::Packet;
 use crate::math::{Bool, Real};
 use crate::raster::triangle_id::{CLIPPED_CLOCKWISE, ORDER_BITS};
 use crate::tile::view::BlockLanes;
-use crate::wide::{Simd, i32x16, mask32x16, u32x16};
+use crate::wide::{Simd, f32x16, i32x16, mask32x16, u32x16};
 use core::marker::PhantomData;
 
 /// Packets that go through the fragment stage at a time.
@@ -124,35 +124,46 @@ impl PacketBatch {
     /// Runs a fragment stage over all packets: the only part that is compiled for each shader.
     #[inline(always)]
     pub(crate) fn run<S: Simd, St: FragmentStage<Packet<S>>>(&mut self, s: S, stage: &St) {
+        if self.count == 0 {
+            return;
+        }
         let lanes = BlockLanes::new(s);
-        let length = <St::V as Varyings<Packet<S>>>::LEN;
+        let length = 16 * <St::V as Varyings<Packet<S>>>::LEN;
+        let zero = Real(f32x16::splat(s, 0.0));
+        let none = Bool(mask32x16::splat(s, false));
+        let first = St::V::read(Packet(s), self.rows.as_flattened());
+        // One for all packets: the compiler would copy each new one several times over.
+        let mut fragment = Frag {
+            parts: FragParts {
+                varyings: first,
+                dx: first,
+                dy: first,
+                x: zero,
+                y: zero,
+                z: zero,
+                front_facing: none,
+                alive: none,
+            },
+            kind: PhantomData,
+        };
         let mut k = 0;
         while k < self.count {
             let packet = &mut self.packets[k];
             let rows = self.rows[k * self.rows_each..(k + 1) * self.rows_each].as_flattened();
-            let varyings = St::V::read(Packet(s), rows);
-            let (dx, dy) = if St::DERIVATIVES {
-                (St::V::read(Packet(s), &rows[16 * length..]), St::V::read(Packet(s), &rows[32 * length..]))
-            } else {
-                (varyings, varyings)
-            };
+            let parts = &mut fragment.parts;
+            parts.varyings = St::V::read(Packet(s), rows);
+            if St::DERIVATIVES {
+                parts.dx = St::V::read(Packet(s), &rows[length..]);
+                parts.dy = St::V::read(Packet(s), &rows[2 * length..]);
+            }
             let ids = u32x16::simd_from(s, packet.ids);
             let code: i32x16<S> = (ids & ((1 << ORDER_BITS) - 1)).bitcast();
             let clockwise = code.simd_lt(3) | code.simd_eq(CLIPPED_CLOCKWISE as i32);
-            // Made in place: as an argument it would be copied through memory.
-            let mut fragment = Frag {
-                kind: PhantomData,
-                parts: FragParts {
-                    varyings,
-                    dx,
-                    dy,
-                    x: Real(lanes.x + (packet.x as f32 + 0.5)),
-                    y: Real(lanes.y + (packet.y as f32 + 0.5)),
-                    z: Real(i32x16::simd_from(s, packet.depth).bitcast()),
-                    front_facing: Bool(if self.front_is_clockwise { clockwise } else { !clockwise }),
-                    alive: Bool(mask32x16::from_bitmask(s, u64::from(packet.alive))),
-                },
-            };
+            parts.x = Real(lanes.x + (packet.x as f32 + 0.5));
+            parts.y = Real(lanes.y + (packet.y as f32 + 0.5));
+            parts.z = Real(i32x16::simd_from(s, packet.depth).bitcast());
+            parts.front_facing = Bool(if self.front_is_clockwise { clockwise } else { !clockwise });
+            parts.alive = Bool(mask32x16::from_bitmask(s, u64::from(packet.alive)));
             let color = stage.run(&mut fragment);
             color.r.0.store_slice(&mut packet.color[0]);
             color.g.0.store_slice(&mut packet.color[1]);

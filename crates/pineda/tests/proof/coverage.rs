@@ -43,8 +43,7 @@ fn every_pixel_is_the_oracles() {
 const ONCE_WRONG: [u64; 4] = [
     // Cuts pixels off where an edge spans many orders of magnitude.
     3_399, 11_817, // Seen edge-on, with a corner at infinity: cut to points that rounding placed.
-    40_591,
-    // An edge function over a w of 3e-37 is infinite.
+    40_591, // An edge function over a w of 3e-37 is infinite.
     3_471_937,
 ];
 
