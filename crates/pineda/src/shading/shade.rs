@@ -15,6 +15,8 @@ use fearless_simd::Level;
 /// The samples of a block that show triangles of one draw.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct VisiblePacket {
+    /// The run that these triangles belong to.
+    pub(crate) run: u32,
     pub(crate) block: u32,
     pub(crate) mask: u32,
     /// The block's first pixel.
@@ -54,7 +56,7 @@ pub(crate) fn shade_visible<S: Simd>(s: S, shading: &mut Shading<'_>, packets: &
         shading.batch.start(&layout, shading.run.front_is_clockwise);
         let mut i = first;
         while i < end {
-            let VisiblePacket { block, mask, x, y } = packets[i];
+            let VisiblePacket { block, mask, x, y, .. } = packets[i];
             let packet = shading.batch.add();
             (packet.block, packet.alive, packet.x, packet.y) = (block, mask, x, y);
             packet.ids = shading.tile.id[block as usize];

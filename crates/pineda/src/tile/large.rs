@@ -105,6 +105,9 @@ pub(crate) fn large<S: Simd, K: Sink<S>>(
                 sink.covered_window(window, depths.1);
                 continue;
             }
+            if sink.hides_blocks(s, view.block(wx_px / 4, wy_px / 4), view.stride, depths.0) {
+                continue;
+            }
             let mut candidates = blocks.touched(s, &edges, column, row);
             candidates &= blocks_within(wx_px / 4, wy_px / 4, x0 >> 2, y0 >> 2, x1 >> 2, y1 >> 2);
             let window_edges = blocks.rows(&edges, column, row);

@@ -60,8 +60,7 @@ pub(crate) struct Painter {
     pub(crate) tile: Tile,
     pub(crate) color: TileColor,
     pub(crate) hits: Vec<[u32; 16]>,
-    visible: Vec<(u32, VisiblePacket)>,
-    packets: Vec<VisiblePacket>,
+    visible: Vec<VisiblePacket>,
     batch: PacketBatch,
     ordered: Vec<OrderedPacket>,
 }
@@ -76,7 +75,6 @@ impl Painter {
             color: TileColor::new(ColorFormat::None),
             hits: Vec::new(),
             visible: Vec::new(),
-            packets: Vec::new(),
             batch: PacketBatch::new(),
             ordered: Vec::new(),
         }
@@ -176,12 +174,12 @@ impl Painter {
         self.visible.clear();
         let (tile, visible) = (&self.tile, &mut self.visible);
         dispatch!(painting.level, s => collect_visible(s, painting.batch, tile, view, visible));
-        // Stable and, for one run, a single comparison each.
-        self.visible.sort_by_key(|&(run, _)| run);
-        for group in self.visible.chunk_by(|(a, _), (b, _)| a == b) {
-            let run = group[0].0 as usize;
-            self.packets.clear();
-            self.packets.extend(group.iter().map(|&(_, packet)| packet));
+        if painting.batch.runs.len() > 1 {
+            // Stable: within a run, blocks stay in the order in which they lie.
+            self.visible.sort_by_key(|packet| packet.run);
+        }
+        for packets in self.visible.chunk_by(|a, b| a.run == b.run) {
+            let run = packets[0].run as usize;
             let mut shading = Shading {
                 level: painting.level,
                 call: &*painting.draws[painting.batch.runs[run].draw],
@@ -191,7 +189,7 @@ impl Painter {
                 color: &mut self.color,
                 batch: &mut self.batch,
             };
-            dispatch!(painting.level, s => shade_visible(s, &mut shading, &self.packets));
+            dispatch!(painting.level, s => shade_visible(s, &mut shading, packets));
         }
     }
 
@@ -269,13 +267,7 @@ fn any_visibility<S: Simd>(
 
 /// The blocks with something visible, and of which run; a block that shows several runs comes several times.
 #[inline(always)]
-fn collect_visible<S: Simd>(
-    s: S,
-    batch: &Batch<'_>,
-    tile: &Tile,
-    view: &TileView,
-    out: &mut Vec<(u32, VisiblePacket)>,
-) {
+fn collect_visible<S: Simd>(s: S, batch: &Batch<'_>, tile: &Tile, view: &TileView, out: &mut Vec<VisiblePacket>) {
     let blocks = view.side / 4;
     let mut by = 0;
     while by < blocks {
@@ -295,7 +287,7 @@ fn collect_visible<S: Simd>(
                     mask &= (ids.simd_ge(first) & ids.simd_lt(TriangleId::first(last))).to_bitmask() as u32;
                 }
                 let (x, y) = (view.x + 4 * bx, view.y + 4 * by);
-                out.push((run as u32, VisiblePacket { block: block as u32, mask, x, y }));
+                out.push(VisiblePacket { run: run as u32, block: block as u32, mask, x, y });
                 rest &= !mask;
             }
             bx += 1;
@@ -358,17 +350,4 @@ impl<S: Simd, F: FnMut(&[OrderedPacket])> Sink<S> for InOrder<'_, F> {
             }
         }
     }
-
-    #[inline(always)]
-    fn hides_tile(&self, _: S, _: f32) -> bool {
-        false
-    }
-
-    #[inline(always)]
-    fn hides_window(&self, _: usize, _: f32) -> bool {
-        false
-    }
-
-    #[inline(always)]
-    fn covered_window(&mut self, _: usize, _: f32) {}
 }

@@ -9,14 +9,27 @@ pub(crate) trait Sink<S: Simd> {
     /// The samples of one block that a triangle covers, and the triangle's depth at all of the block's samples.
     fn samples(&mut self, s: S, block: usize, inside: mask32x16<S>, z: f32x16<S>, id: u32);
 
-    /// Whether a triangle that is nowhere nearer than `nearest` can be left out of the whole tile.
-    fn hides_tile(&self, s: S, nearest: f32) -> bool;
+    /// Whether a triangle that is nowhere nearer than `nearest` can be left out of the whole tile, by what is known of it.
+    #[inline(always)]
+    fn hides_tile(&self, _: S, _nearest: f32) -> bool {
+        false
+    }
 
-    /// Whether it can be left out of a 16 x 16 window.
-    fn hides_window(&self, window: usize, nearest: f32) -> bool;
+    /// Whether it can be left out of a 16 x 16 window, by what is known of it.
+    #[inline(always)]
+    fn hides_window(&self, _window: usize, _nearest: f32) -> bool {
+        false
+    }
+
+    /// Whether it can be left out of the window from `block` on, by what is there: takes longer than asking what is known.
+    #[inline(always)]
+    fn hides_blocks(&self, _: S, _block: usize, _stride: usize, _nearest: f32) -> bool {
+        false
+    }
 
     /// A triangle that is nowhere farther than `farthest` was drawn to every sample of a window.
-    fn covered_window(&mut self, window: usize, farthest: f32);
+    #[inline(always)]
+    fn covered_window(&mut self, _window: usize, _farthest: f32) {}
 }
 
 /// Clamps depths to 0 to 1, as bits: negative numbers and -0 are negative as integers, too.
@@ -110,6 +123,22 @@ impl<S: Simd, T: DepthTest<S>, const ID: bool> Sink<S> for Visibility<'_, T, ID>
     }
 
     #[inline(always)]
+    fn hides_blocks(&self, s: S, block: usize, stride: usize, nearest: f32) -> bool {
+        if !T::NEARER_ONLY {
+            return false;
+        }
+        let mut farthest = i32x16::splat(s, 0);
+        let mut row = 0;
+        while row < 4 {
+            let blocks = &self.tile_depth[block + row * stride..block + row * stride + 4];
+            farthest = farthest.max(i32x16::simd_from(s, blocks[0])).max(i32x16::simd_from(s, blocks[1]));
+            farthest = farthest.max(i32x16::simd_from(s, blocks[2])).max(i32x16::simd_from(s, blocks[3]));
+            row += 1;
+        }
+        farthest.bitcast::<f32x16<S>>().simd_le(nearest).to_bitmask() == 0xffff
+    }
+
+    #[inline(always)]
     fn covered_window(&mut self, window: usize, farthest: f32) {
         if T::NEARER_ONLY {
             let bound = &mut self.windows[window & 15];
@@ -128,17 +157,4 @@ impl<S: Simd> Sink<S> for HitCounter<'_> {
         let there = u32x16::simd_from(s, *hits);
         *hits = inside.select(there + 1, there).into();
     }
-
-    #[inline(always)]
-    fn hides_tile(&self, _: S, _: f32) -> bool {
-        false
-    }
-
-    #[inline(always)]
-    fn hides_window(&self, _: usize, _: f32) -> bool {
-        false
-    }
-
-    #[inline(always)]
-    fn covered_window(&mut self, _: usize, _: f32) {}
 }
