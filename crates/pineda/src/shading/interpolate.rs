@@ -25,9 +25,6 @@ use crate::tile::view::BlockLanes;
 use crate::transpose::columns4;
 use crate::wide::{Simd, f32x16, i32x16, mask32x16, u32x4, u32x16};
 
-/// Up to this many triangles are taken in turn; more are gathered lane by lane.
-const FEW: usize = 4;
-
 /// The fragments of a block to be shaded.
 #[derive(Clone, Copy)]
 pub(crate) struct Fragments<'a> {
@@ -40,11 +37,29 @@ pub(crate) struct Fragments<'a> {
     pub(crate) y: i32,
 }
 
-/// The different triangles of a packet, up to sixteen.
-struct Distinct {
-    count: usize,
+/// The different triangles of a packet, and the way in which it is interpolated.
+#[derive(Clone, Copy)]
+pub(crate) struct Distinct {
+    way: Way,
+    /// As many as count for that way; beyond, the first again.
     ids: [u32; 16],
+    /// The lanes of each; beyond, none.
     masks: [u32; 16],
+}
+
+/// How the lanes get their vertices.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Way {
+    /// One triangle.
+    One,
+    /// Triangles in turn, up to so many.
+    Two,
+    Four,
+    Eight,
+    /// Lane by lane.
+    ByLane,
+    /// Triangles in turn, with all that a packet can ask for.
+    InFull,
 }
 
 /// How the three vertices' values of one varying enter: the first, and by how much the others exceed it.
@@ -70,6 +85,79 @@ impl<S: Simd> Last<S> {
     }
 }
 
+impl Distinct {
+    pub(crate) const NONE: Self = Self { way: Way::One, ids: [0; 16], masks: [0; 16] };
+
+    /// Sorts out the triangles of a packet. Nothing here waits for memory, so that it is done for several packets before any is interpolated.
+    #[inline(always)]
+    pub(crate) fn set<S: Simd>(&mut self, s: S, layout: &VaryingLayout, fragments: &Fragments<'_>) {
+        let ids = u32x16::simd_from(s, *fragments.ids);
+        let first = fragments.ids[fragments.mask.trailing_zeros() as usize & 15];
+        (self.ids, self.masks) = ([first; 16], [0; 16]);
+        let code: i32x16<S> = (ids & ((1 << ORDER_BITS) - 1)).bitcast();
+        let clipped = code.simd_ge(CLIPPED_CLOCKWISE as i32).to_bitmask() as u32 & fragments.mask;
+        let is_plain = layout.is_plain && clipped == 0;
+        self.way = if is_plain { self.plain_way(ids, fragments) } else { Way::InFull };
+        if !is_plain {
+            self.take(ids, fragments, 0..16, fragments.mask);
+        }
+    }
+
+    #[inline(always)]
+    fn plain_way<S: Simd>(&mut self, ids: u32x16<S>, fragments: &Fragments<'_>) -> Way {
+        let rest = self.take(ids, fragments, 0..1, fragments.mask);
+        if rest == 0 {
+            return Way::One;
+        }
+        if fragments.mask == 0xffff && has_five(fragments.ids) {
+            return Way::ByLane;
+        }
+        let rest = self.take(ids, fragments, 1..2, rest);
+        if rest == 0 {
+            return Way::Two;
+        }
+        let rest = self.take(ids, fragments, 2..4, rest);
+        if rest == 0 {
+            return Way::Four;
+        }
+        let rest = self.take(ids, fragments, 4..8, rest);
+        if rest == 0 { Way::Eight } else { Way::ByLane }
+    }
+
+    /// Takes so many triangles out of the lanes of `rest`, whether there are as many or not: a branch would cost more.
+    #[inline(always)]
+    fn take<S: Simd>(
+        &mut self,
+        ids: u32x16<S>,
+        fragments: &Fragments<'_>,
+        places: std::ops::Range<usize>,
+        mut rest: u32,
+    ) -> u32 {
+        let mut t = places.start;
+        while t < places.end {
+            let id = fragments.ids[rest.trailing_zeros() as usize & 15];
+            let same = ids.simd_eq(id).to_bitmask() as u32 & rest;
+            if same != 0 {
+                self.ids[t & 15] = id;
+            }
+            self.masks[t & 15] = same;
+            rest &= !same;
+            t += 1;
+        }
+        rest
+    }
+
+    /// How many there are.
+    #[inline(always)]
+    fn count(&self) -> usize {
+        let mut count = 0;
+        while count < 16 && self.masks[count] != 0 {
+            count += 1;
+        }
+        count
+    }
+}
+
 /// Interpolates all varyings of a packet into its rows.
 #[inline(always)]
 #[expect(clippy::too_many_arguments, reason = "inlined")]
@@ -79,34 +167,21 @@ pub(crate) fn interpolate<S: Simd>(
     position: &dyn Fn(usize) -> [f32; 4],
     layout: &VaryingLayout,
     fragments: &Fragments<'_>,
+    distinct: &Distinct,
     lanes: &BlockLanes<S>,
     last: &mut Last<S>,
     rows: &mut PacketRows<'_>,
 ) {
-    let ids = u32x16::simd_from(s, *fragments.ids);
-    let first = fragments.ids[fragments.mask.trailing_zeros() as usize & 15];
-    let rest = fragments.mask & !(ids.simd_eq(first).to_bitmask() as u32);
-    let code: i32x16<S> = (ids & ((1 << ORDER_BITS) - 1)).bitcast();
-    let clipped = code.simd_ge(CLIPPED_CLOCKWISE as i32).to_bitmask() as u32 & fragments.mask;
-    if !layout.is_plain || clipped != 0 {
-        few_in_full(s, run, position, layout, fragments, rows);
-    } else if rest == 0 {
-        one(s, run, layout, fragments, TriangleId(first), lanes, last, rows);
-    } else {
-        let each = record_rows(layout.interpolation.len());
-        if fragments.mask == 0xffff && has_five(fragments.ids) {
-            return apart(s, run, layout, fragments, &ByLane::new(s, run, each, fragments, first), lanes, rows);
+    let each = record_rows(layout.interpolation.len());
+    match distinct.way {
+        Way::One => one(s, run, layout, fragments, TriangleId(distinct.ids[0]), lanes, last, rows),
+        Way::Two => apart(s, run, layout, fragments, &ByTriangle::<S, 2>::new(s, run, each, distinct), lanes, rows),
+        Way::Four => apart(s, run, layout, fragments, &ByTriangle::<S, 4>::new(s, run, each, distinct), lanes, rows),
+        Way::Eight => apart(s, run, layout, fragments, &ByTriangle::<S, 8>::new(s, run, each, distinct), lanes, rows),
+        Way::ByLane => {
+            apart(s, run, layout, fragments, &ByLane::new(s, run, each, fragments, distinct.ids[0]), lanes, rows);
         }
-        let distinct = distinct(ids, fragments, first, 8 + 1);
-        if distinct.count <= 2 {
-            apart(s, run, layout, fragments, &ByTriangle::<S, 2>::new(s, run, each, &distinct), lanes, rows);
-        } else if distinct.count <= FEW {
-            apart(s, run, layout, fragments, &ByTriangle::<S, FEW>::new(s, run, each, &distinct), lanes, rows);
-        } else if distinct.count <= 8 {
-            apart(s, run, layout, fragments, &ByTriangle::<S, 8>::new(s, run, each, &distinct), lanes, rows);
-        } else {
-            apart(s, run, layout, fragments, &ByLane::new(s, run, each, fragments, first), lanes, rows);
-        }
+        Way::InFull => few_in_full(s, run, position, layout, fragments, distinct, rows),
     }
 }
 
@@ -125,15 +200,13 @@ fn few_in_full<S: Simd>(
     position: &dyn Fn(usize) -> [f32; 4],
     layout: &VaryingLayout,
     fragments: &Fragments<'_>,
+    distinct: &Distinct,
     rows: &mut PacketRows<'_>,
 ) {
     s.vectorize(
         #[inline(always)]
         || {
-            let ids = u32x16::simd_from(s, *fragments.ids);
-            let first = fragments.ids[fragments.mask.trailing_zeros() as usize & 15];
-            let distinct = distinct(ids, fragments, first, 16);
-            in_full(s, run, position, layout, fragments, &distinct, &BlockLanes::new(s), rows);
+            in_full(s, run, position, layout, fragments, distinct, &BlockLanes::new(s), rows);
         },
     );
 }
@@ -276,22 +349,6 @@ fn word(run: &RunView<'_>, each: usize, place: usize, k: usize) -> f32 {
     f32::from_bits(run.records[place * each + at / 4][at % 4])
 }
 
-/// The first `most` different triangles of a packet.
-#[inline(always)]
-fn distinct<S: Simd>(ids: u32x16<S>, fragments: &Fragments<'_>, first: u32, most: usize) -> Distinct {
-    let mut distinct = Distinct { count: 0, ids: [first; 16], masks: [0; 16] };
-    let mut rest = fragments.mask;
-    while rest != 0 && distinct.count < most {
-        let id = fragments.ids[rest.trailing_zeros() as usize & 15];
-        let same = ids.simd_eq(id).to_bitmask() as u32 & rest;
-        distinct.ids[distinct.count & 15] = id;
-        distinct.masks[distinct.count & 15] = same;
-        distinct.count += 1;
-        rest &= !same;
-    }
-    distinct
-}
-
 #[inline(always)]
 #[expect(clippy::too_many_arguments, reason = "inlined")]
 fn in_full<S: Simd>(
@@ -307,10 +364,11 @@ fn in_full<S: Simd>(
     let each = record_rows(layout.interpolation.len());
     let mut places = [[0; 4]; 16];
     let mut masks = [mask32x16::splat(s, true); 16];
+    let count = distinct.count();
     let mut weights;
     (weights, places[0]) = triangle(s, run, position, fragments, TriangleId(distinct.ids[0]), each, lanes);
     let mut t = 1;
-    while t < distinct.count {
+    while t < count {
         let id = TriangleId(distinct.ids[t & 15]);
         let (next, next_places) = triangle(s, run, position, fragments, id, each, lanes);
         places[t & 15] = next_places;
@@ -325,7 +383,7 @@ fn in_full<S: Simd>(
         let [f0, d1, d2] = vertex_values(run, each, &places[0], k, is_flat);
         let mut corner = Corner3 { f0: f32x16::splat(s, f0), d1: f32x16::splat(s, d1), d2: f32x16::splat(s, d2) };
         let mut t = 1;
-        while t < distinct.count {
+        while t < count {
             let mask = masks[t & 15];
             let [f0, d1, d2] = vertex_values(run, each, &places[t & 15], k, is_flat);
             corner.f0 = mask.select(f32x16::splat(s, f0), corner.f0);
@@ -340,8 +398,8 @@ fn in_full<S: Simd>(
 
 /// Where the lanes' vertex records come from.
 trait Vertices<S: Simd> {
-    /// Row `r` of the records of each lane's vertex `corner`, in canonical order: four words, lane by lane.
-    fn row(&self, s: S, run: &RunView<'_>, corner: usize, r: usize) -> [u32x16<S>; 4];
+    /// Row `r` of the records of each lane's vertex `corner`, in canonical order: four words, lane by lane, of which the first `words` count.
+    fn row(&self, s: S, run: &RunView<'_>, corner: usize, r: usize, words: usize) -> [u32x16<S>; 4];
 }
 
 /// Up to `N` triangles, taken in turn.
@@ -370,17 +428,23 @@ impl<S: Simd, const N: usize> ByTriangle<S, N> {
 
 impl<S: Simd, const N: usize> Vertices<S> for ByTriangle<S, N> {
     #[inline(always)]
-    fn row(&self, s: S, run: &RunView<'_>, corner: usize, r: usize) -> [u32x16<S>; 4] {
-        let [x, y, z, w] = run.records[self.at[0][corner] + r];
-        let mut row = [u32x16::splat(s, x), u32x16::splat(s, y), u32x16::splat(s, z), u32x16::splat(s, w)];
-        let mut t = 1;
+    fn row(&self, s: S, run: &RunView<'_>, corner: usize, r: usize, _words: usize) -> [u32x16<S>; 4] {
+        let mut records = [&[0; 4]; N];
+        let mut t = 0;
         while t < N {
-            let [x, y, z, w] = run.records[self.at[t][corner] + r];
-            row[0] = self.masks[t].select(u32x16::splat(s, x), row[0]);
-            row[1] = self.masks[t].select(u32x16::splat(s, y), row[1]);
-            row[2] = self.masks[t].select(u32x16::splat(s, z), row[2]);
-            row[3] = self.masks[t].select(u32x16::splat(s, w), row[3]);
+            records[t] = &run.records[self.at[t][corner] + r];
             t += 1;
+        }
+        let mut row = [u32x16::splat(s, 0); 4];
+        let mut i = 0;
+        while i < 4 {
+            row[i] = u32x16::splat(s, records[0][i]);
+            let mut t = 1;
+            while t < N {
+                row[i] = self.masks[t].select(u32x16::splat(s, records[t][i]), row[i]);
+                t += 1;
+            }
+            i += 1;
         }
         row
     }
@@ -424,7 +488,7 @@ impl ByLane {
 
 impl<S: Simd> Vertices<S> for ByLane {
     #[inline(always)]
-    fn row(&self, s: S, run: &RunView<'_>, corner: usize, r: usize) -> [u32x16<S>; 4] {
+    fn row(&self, s: S, run: &RunView<'_>, corner: usize, r: usize, _words: usize) -> [u32x16<S>; 4] {
         let at = &self.0[corner];
         columns4(four(s, run, at, r, 0), four(s, run, at, r, 4), four(s, run, at, r, 8), four(s, run, at, r, 12))
     }
@@ -457,7 +521,8 @@ fn apart<S: Simd>(
 ) {
     let varyings = layout.interpolation.len();
     // The first row of each record holds x, y, 1 / w and the first varying.
-    let (mut a, mut b, mut c) = (vertices.row(s, run, 0, 0), vertices.row(s, run, 1, 0), vertices.row(s, run, 2, 0));
+    let (mut a, mut b, mut c) =
+        (vertices.row(s, run, 0, 0, 4), vertices.row(s, run, 1, 0, 4), vertices.row(s, run, 2, 0, 4));
     let x = (lanes.column << 8) + (fragments.x * SUBPIXELS + HALF_PIXEL);
     let y = (lanes.row << 8) + (fragments.y * SUBPIXELS + HALF_PIXEL);
     let vx = [a[0].bitcast::<i32x16<S>>() - x, b[0].bitcast::<i32x16<S>>() - x, c[0].bitcast::<i32x16<S>>() - x];
@@ -467,7 +532,10 @@ fn apart<S: Simd>(
     let mut r = 0;
     while r < record_rows(varyings) {
         if r != 0 {
-            (a, b, c) = (vertices.row(s, run, 0, r), vertices.row(s, run, 1, r), vertices.row(s, run, 2, r));
+            let words = RECORD_HEADER + varyings - 4 * r;
+            a = vertices.row(s, run, 0, r, words);
+            b = vertices.row(s, run, 1, r, words);
+            c = vertices.row(s, run, 2, r, words);
         }
         let mut i = 0;
         while i < 4 {

@@ -110,10 +110,9 @@ impl PacketBatch {
         packet
     }
 
-    /// The packet that was added last, and its rows.
+    /// Packet `k` and its rows.
     #[inline(always)]
-    pub(crate) fn last(&mut self) -> (&PacketState, PacketRows<'_>) {
-        let k = self.count - 1;
+    pub(crate) fn packet(&mut self, k: usize) -> (&PacketState, PacketRows<'_>) {
         let rows = &mut self.rows[k * self.rows_each..(k + 1) * self.rows_each];
         let each = if self.derivatives { rows.len() / 3 } else { rows.len() };
         let (here, rest) = rows.split_at_mut(each);

@@ -1,7 +1,7 @@
 //! From covered or visible samples to colours in the tile: interpolation, the user's fragment stage, blending.
 
 use super::blend::blend;
-use super::interpolate::{Fragments, Last, interpolate};
+use super::interpolate::{Distinct, Fragments, Last, interpolate};
 use super::packet::{BATCH, PacketBatch, PacketState, VaryingLayout};
 use super::run::RunView;
 use crate::pass::draw_call::DrawCall;
@@ -50,6 +50,7 @@ pub(crate) struct Shading<'a> {
 pub(crate) fn shade_visible<S: Simd>(s: S, shading: &mut Shading<'_>, packets: &[VisiblePacket]) {
     let layout = shading.call.layout();
     let (lanes, mut last) = (BlockLanes::new(s), Last::none(s));
+    let mut distinct = [Distinct::NONE; BATCH];
     let mut first = 0;
     while first < packets.len() {
         let end = (first + BATCH).min(packets.len());
@@ -61,9 +62,9 @@ pub(crate) fn shade_visible<S: Simd>(s: S, shading: &mut Shading<'_>, packets: &
             (packet.block, packet.alive, packet.x, packet.y) = (block, mask, x, y);
             packet.ids = shading.tile.id[block as usize];
             packet.depth = shading.tile.depth[block as usize];
-            fill(s, shading, &layout, &lanes, &mut last);
             i += 1;
         }
+        fill(s, shading, &layout, &lanes, &mut distinct, &mut last);
         shading.call.run_fragments(shading.level, shading.batch);
         let mut i = 0;
         while i < shading.batch.len() {
@@ -81,6 +82,7 @@ pub(crate) fn shade_visible<S: Simd>(s: S, shading: &mut Shading<'_>, packets: &
 pub(crate) fn shade_in_order<S: Simd>(s: S, shading: &mut Shading<'_>, packets: &[OrderedPacket]) {
     let layout = shading.call.layout();
     let (lanes, mut last) = (BlockLanes::new(s), Last::none(s));
+    let mut distinct = [Distinct::NONE; BATCH];
     let mut first = 0;
     while first < packets.len() {
         shading.batch.start(&layout, shading.run.front_is_clockwise);
@@ -100,10 +102,10 @@ pub(crate) fn shade_in_order<S: Simd>(s: S, shading: &mut Shading<'_>, packets: 
                 let new = shading.batch.add();
                 (new.block, new.alive, new.x, new.y) = (packet.block, mask, x, y);
                 (new.ids, new.depth) = ([packet.id; 16], packet.depth);
-                fill(s, shading, &layout, &lanes, &mut last);
             }
             next += 1;
         }
+        fill(s, shading, &layout, &lanes, &mut distinct, &mut last);
         shading.call.run_fragments(shading.level, shading.batch);
         merge(s, shading);
         first = next;
@@ -121,14 +123,35 @@ fn contains(batch: &PacketBatch, block: u32) -> bool {
     found
 }
 
-/// Interpolates the packet that was added last.
+/// Interpolates the packets of a batch.
 #[inline(always)]
-fn fill<S: Simd>(s: S, shading: &mut Shading<'_>, layout: &VaryingLayout, lanes: &BlockLanes<S>, last: &mut Last<S>) {
+fn fill<S: Simd>(
+    s: S,
+    shading: &mut Shading<'_>,
+    layout: &VaryingLayout,
+    lanes: &BlockLanes<S>,
+    distinct: &mut [Distinct; BATCH],
+    last: &mut Last<S>,
+) {
     let (call, run) = (shading.call, shading.run);
     let position = |vertex: usize| call.position(vertex);
-    let (packet, mut rows) = shading.batch.last();
-    let fragments = Fragments { ids: &packet.ids, mask: packet.alive, x: packet.x, y: packet.y };
-    interpolate(s, run, &position, layout, &fragments, lanes, last, &mut rows);
+    let mut k = 0;
+    while k < shading.batch.len() {
+        distinct[k & (BATCH - 1)].set(s, layout, &fragments(&shading.batch.packets()[k]));
+        k += 1;
+    }
+    let mut k = 0;
+    while k < shading.batch.len() {
+        let (packet, mut rows) = shading.batch.packet(k);
+        let distinct = &distinct[k & (BATCH - 1)];
+        interpolate(s, run, &position, layout, &fragments(packet), distinct, lanes, last, &mut rows);
+        k += 1;
+    }
+}
+
+#[inline(always)]
+fn fragments(packet: &PacketState) -> Fragments<'_> {
+    Fragments { ids: &packet.ids, mask: packet.alive, x: packet.x, y: packet.y }
 }
 
 /// Brings the colours of a batch of ordered packets into the tile.
