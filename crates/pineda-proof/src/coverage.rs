@@ -38,13 +38,14 @@ fn span(triangles: &[[[f32; 4]; 3]]) -> f64 {
     sizes().fold(0.0, f64::max) / sizes().fold(f64::INFINITY, f64::min)
 }
 
-/// The snapped corners of a clip-space triangle, if they are certain and the triangle needs no clipping.
+/// The snapped corners of a clip-space triangle, if they are certain and the triangle needs no clipping, nor any other care.
 pub(crate) fn certain(case: &Case, corners: [[f32; 4]; 3]) -> Option<Triangle> {
     const GUARD_BAND: i64 = pineda_oracle::cases::GUARD_BAND;
     let mut snapped = [[0; 2]; 3];
     for (snapped, corner) in snapped.iter_mut().zip(corners) {
         let [_, _, z, w] = corner;
-        let is_in_view = w > 0.0 && (0.0..=w).contains(&z) && 1.0 / w < f32::INFINITY;
+        // Beyond 2^64 and 2^-64, `pineda` takes a corner the careful way, in f64 and from where it was asked to be.
+        let is_in_view = w > 0.0 && (0.0..=w).contains(&z) && (SPAN.recip()..=SPAN).contains(&(1.0 / f64::from(w)));
         *snapped = project_snapped(corner, case.width, case.height, PROJECTION)
             .filter(|point| is_in_view && point.iter().all(|x| x.abs() <= GUARD_BAND))?;
     }
