@@ -35,6 +35,26 @@ impl Corners<'_> {
         }
     }
 
+    /// The places of the vertices of sixteen triangles of the run, corner by corner.
+    #[inline(always)]
+    pub(crate) fn of_each<S: Simd>(&self, s: S, t: u32x16<S>) -> [u32x16<S>; 3] {
+        match *self {
+            Corners::Indexed { indices, first_vertex } => {
+                let t: [u32; 16] = t.into();
+                let mut corners = [[0; 16]; 3];
+                let mut k = 0;
+                while k < 16 {
+                    [corners[0][k], corners[1][k], corners[2][k]] = indices[t[k] as usize];
+                    k += 1;
+                }
+                let [a, b, c] = corners;
+                let first = u32x16::splat(s, first_vertex);
+                [u32x16::simd_from(s, a) - first, u32x16::simd_from(s, b) - first, u32x16::simd_from(s, c) - first]
+            }
+            Corners::Sequential => [t * 3, t * 3 + 1, t * 3 + 2],
+        }
+    }
+
     /// The places of the vertices of sixteen triangles from `t` on, of which `count` exist; the others repeat the last one.
     #[inline(always)]
     fn sixteen(&self, t: usize, count: usize) -> [u32; 48] {

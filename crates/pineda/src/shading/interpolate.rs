@@ -398,8 +398,8 @@ fn in_full<S: Simd>(
 
 /// Where the lanes' vertex records come from.
 trait Vertices<S: Simd> {
-    /// Row `r` of the records of each lane's vertex `corner`, in canonical order: four words, lane by lane, of which the first `words` count.
-    fn row(&self, s: S, run: &RunView<'_>, corner: usize, r: usize, words: usize) -> [u32x16<S>; 4];
+    /// Row `r` of the records of each lane's vertex `corner`, in canonical order: four words, lane by lane, of which the first `WORDS` count.
+    fn row<const WORDS: usize>(&self, s: S, run: &RunView<'_>, corner: usize, r: usize) -> [u32x16<S>; 4];
 }
 
 /// Up to `N` triangles, taken in turn.
@@ -428,7 +428,7 @@ impl<S: Simd, const N: usize> ByTriangle<S, N> {
 
 impl<S: Simd, const N: usize> Vertices<S> for ByTriangle<S, N> {
     #[inline(always)]
-    fn row(&self, s: S, run: &RunView<'_>, corner: usize, r: usize, _words: usize) -> [u32x16<S>; 4] {
+    fn row<const WORDS: usize>(&self, s: S, run: &RunView<'_>, corner: usize, r: usize) -> [u32x16<S>; 4] {
         let mut records = [&[0; 4]; N];
         let mut t = 0;
         while t < N {
@@ -437,7 +437,7 @@ impl<S: Simd, const N: usize> Vertices<S> for ByTriangle<S, N> {
         }
         let mut row = [u32x16::splat(s, 0); 4];
         let mut i = 0;
-        while i < 4 {
+        while i < WORDS {
             row[i] = u32x16::splat(s, records[0][i]);
             let mut t = 1;
             while t < N {
@@ -458,21 +458,9 @@ impl ByLane {
     fn new<S: Simd>(s: S, run: &RunView<'_>, each: usize, fragments: &Fragments<'_>, first: u32) -> Self {
         let ids = u32x16::simd_from(s, *fragments.ids);
         let ids = mask32x16::from_bitmask(s, u64::from(fragments.mask)).select(ids, u32x16::splat(s, first));
-        let id: [u32; 16] = ids.into();
-        // As submitted, then in canonical order.
-        let mut submitted = [[0; 16]; 3];
-        let mut lane = 0;
-        while lane < 16 {
-            let [a, b, c] = run.places(TriangleId(id[lane]));
-            let [a, b, c] = [(a * each) as u32, (b * each) as u32, (c * each) as u32];
-            (submitted[0][lane], submitted[1][lane], submitted[2][lane]) = (a, b, c);
-            lane += 1;
-        }
-        let [a, b, c] = [
-            u32x16::simd_from(s, submitted[0]),
-            u32x16::simd_from(s, submitted[1]),
-            u32x16::simd_from(s, submitted[2]),
-        ];
+        let [a, b, c] = run.corners.of_each(s, (ids >> ORDER_BITS) - (run.first_number as u32 + 1));
+        let each = each as u32;
+        let [a, b, c] = [a * each, b * each, c * each];
         let code: i32x16<S> = (ids & ((1 << ORDER_BITS) - 1)).bitcast();
         let (first_is_1, first_is_2) = (code.simd_eq(1) | code.simd_eq(4), code.simd_eq(2) | code.simd_eq(5));
         let counter_clockwise = code.simd_ge(3);
@@ -488,7 +476,7 @@ impl ByLane {
 
 impl<S: Simd> Vertices<S> for ByLane {
     #[inline(always)]
-    fn row(&self, s: S, run: &RunView<'_>, corner: usize, r: usize, _words: usize) -> [u32x16<S>; 4] {
+    fn row<const WORDS: usize>(&self, s: S, run: &RunView<'_>, corner: usize, r: usize) -> [u32x16<S>; 4] {
         let at = &self.0[corner];
         columns4(four(s, run, at, r, 0), four(s, run, at, r, 4), four(s, run, at, r, 8), four(s, run, at, r, 12))
     }
@@ -521,8 +509,7 @@ fn apart<S: Simd>(
 ) {
     let varyings = layout.interpolation.len();
     // The first row of each record holds x, y, 1 / w and the first varying.
-    let (mut a, mut b, mut c) =
-        (vertices.row(s, run, 0, 0, 4), vertices.row(s, run, 1, 0, 4), vertices.row(s, run, 2, 0, 4));
+    let [mut a, mut b, mut c] = rows_of_three::<4, S>(s, run, vertices, 0);
     let x = (lanes.column << 8) + (fragments.x * SUBPIXELS + HALF_PIXEL);
     let y = (lanes.row << 8) + (fragments.y * SUBPIXELS + HALF_PIXEL);
     let vx = [a[0].bitcast::<i32x16<S>>() - x, b[0].bitcast::<i32x16<S>>() - x, c[0].bitcast::<i32x16<S>>() - x];
@@ -532,10 +519,11 @@ fn apart<S: Simd>(
     let mut r = 0;
     while r < record_rows(varyings) {
         if r != 0 {
-            let words = RECORD_HEADER + varyings - 4 * r;
-            a = vertices.row(s, run, 0, r, words);
-            b = vertices.row(s, run, 1, r, words);
-            c = vertices.row(s, run, 2, r, words);
+            [a, b, c] = match RECORD_HEADER + varyings - 4 * r {
+                1 => rows_of_three::<1, S>(s, run, vertices, r),
+                2 => rows_of_three::<2, S>(s, run, vertices, r),
+                _ => rows_of_three::<4, S>(s, run, vertices, r),
+            };
         }
         let mut i = 0;
         while i < 4 {
@@ -550,4 +538,15 @@ fn apart<S: Simd>(
         }
         r += 1;
     }
+}
+
+/// Row `r` of the records of all three vertices.
+#[inline(always)]
+fn rows_of_three<const WORDS: usize, S: Simd>(
+    s: S,
+    run: &RunView<'_>,
+    vertices: &impl Vertices<S>,
+    r: usize,
+) -> [[u32x16<S>; 4]; 3] {
+    [vertices.row::<WORDS>(s, run, 0, r), vertices.row::<WORDS>(s, run, 1, r), vertices.row::<WORDS>(s, run, 2, r)]
 }

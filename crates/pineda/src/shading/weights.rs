@@ -285,8 +285,7 @@ fn evaluate_homogeneous<S: Simd>(
 #[inline(always)]
 pub(crate) fn of_lanes<S: Simd>(vx: [i32x16<S>; 3], vy: [i32x16<S>; 3], inv_w: [f32x16<S>; 3]) -> Weights<S> {
     let mut edge = inv_w;
-    let far = is_far(vx[0]) | is_far(vx[1]) | is_far(vx[2]) | is_far(vy[0]) | is_far(vy[1]) | is_far(vy[2]);
-    let is_near = far.all_false();
+    let is_near = are_near(vx, vy);
     let mut k = 0;
     while k < 3 {
         let (a, b) = ((k + 1) % 3, (k + 2) % 3);
@@ -309,9 +308,14 @@ fn reach(v: [i32; 3]) -> i32 {
     v[0].abs().max(v[1].abs()).max(v[2].abs())
 }
 
+/// Whether all coordinates are from -2^15 up to 2^15, so that the difference of two products of them fits i32.
 #[inline(always)]
-fn is_far<S: Simd>(v: i32x16<S>) -> mask32x16<S> {
-    v.simd_ge(1 << 15) | v.simd_le(-(1 << 15))
+fn are_near<S: Simd>(vx: [i32x16<S>; 3], vy: [i32x16<S>; 3]) -> bool {
+    const HALF: i32 = 1 << 15;
+    // Moved up by 2^15, what is in range has no bit from the sixteenth up.
+    let x = (vx[0] + HALF) | (vx[1] + HALF) | (vx[2] + HALF);
+    let y = (vy[0] + HALF) | (vy[1] + HALF) | (vy[2] + HALF);
+    ((x | y) >> 16).simd_eq(0).to_bitmask() == 0xffff
 }
 
 /// As f64. Relative coordinates are below 2^24 + 2^22 in size, and f32 holds every integer up to 2^24; beyond, by halves.

@@ -251,7 +251,6 @@ fn visibility<S: Simd, const ID: bool>(
 }
 
 #[inline(always)]
-#[expect(clippy::too_many_arguments, reason = "one call, inlined")]
 fn any_visibility<S: Simd>(
     s: S,
     share: &Share,
