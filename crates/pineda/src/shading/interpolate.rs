@@ -41,9 +41,11 @@ pub(crate) struct Fragments<'a> {
 #[derive(Clone, Copy)]
 pub(crate) struct Distinct {
     way: Way,
-    /// As many as count for that way; beyond, the first again.
+    /// The triangle of each lane; the first one's where none counts.
+    lanes: [u32; 16],
+    /// As many as count for that way; beyond the last, any.
     ids: [u32; 16],
-    /// The lanes of each; beyond, none.
+    /// The lanes of each; beyond the last, none.
     masks: [u32; 16],
 }
 
@@ -86,60 +88,52 @@ impl<S: Simd> Last<S> {
 }
 
 impl Distinct {
-    pub(crate) const NONE: Self = Self { way: Way::One, ids: [0; 16], masks: [0; 16] };
+    pub(crate) const NONE: Self = Self { way: Way::One, lanes: [0; 16], ids: [0; 16], masks: [0; 16] };
 
     /// Sorts out the triangles of a packet. Nothing here waits for memory, so that it is done for several packets before any is interpolated.
     #[inline(always)]
     pub(crate) fn set<S: Simd>(&mut self, s: S, layout: &VaryingLayout, fragments: &Fragments<'_>) {
         let ids = u32x16::simd_from(s, *fragments.ids);
         let first = fragments.ids[fragments.mask.trailing_zeros() as usize & 15];
-        (self.ids, self.masks) = ([first; 16], [0; 16]);
+        let ids = mask32x16::from_bitmask(s, u64::from(fragments.mask)).select(ids, u32x16::splat(s, first));
+        (self.lanes, self.masks) = (ids.into(), [0; 16]);
         let code: i32x16<S> = (ids & ((1 << ORDER_BITS) - 1)).bitcast();
-        let clipped = code.simd_ge(CLIPPED_CLOCKWISE as i32).to_bitmask() as u32 & fragments.mask;
-        let is_plain = layout.is_plain && clipped == 0;
+        let is_plain = layout.is_plain && code.simd_ge(CLIPPED_CLOCKWISE as i32).all_false();
         self.way = if is_plain { self.plain_way(ids, fragments) } else { Way::InFull };
         if !is_plain {
-            self.take(ids, fragments, 0..16, fragments.mask);
+            self.take(ids, 0..16, fragments.mask);
         }
     }
 
     #[inline(always)]
     fn plain_way<S: Simd>(&mut self, ids: u32x16<S>, fragments: &Fragments<'_>) -> Way {
-        let rest = self.take(ids, fragments, 0..1, fragments.mask);
+        let rest = self.take(ids, 0..1, fragments.mask);
         if rest == 0 {
             return Way::One;
         }
-        if fragments.mask == 0xffff && has_five(fragments.ids) {
+        if has_five(&self.lanes) {
             return Way::ByLane;
         }
-        let rest = self.take(ids, fragments, 1..2, rest);
+        let rest = self.take(ids, 1..2, rest);
         if rest == 0 {
             return Way::Two;
         }
-        let rest = self.take(ids, fragments, 2..4, rest);
+        let rest = self.take(ids, 2..4, rest);
         if rest == 0 {
             return Way::Four;
         }
-        let rest = self.take(ids, fragments, 4..8, rest);
+        let rest = self.take(ids, 4..8, rest);
         if rest == 0 { Way::Eight } else { Way::ByLane }
     }
 
     /// Takes so many triangles out of the lanes of `rest`, whether there are as many or not: a branch would cost more.
     #[inline(always)]
-    fn take<S: Simd>(
-        &mut self,
-        ids: u32x16<S>,
-        fragments: &Fragments<'_>,
-        places: std::ops::Range<usize>,
-        mut rest: u32,
-    ) -> u32 {
+    fn take<S: Simd>(&mut self, ids: u32x16<S>, places: std::ops::Range<usize>, mut rest: u32) -> u32 {
         let mut t = places.start;
         while t < places.end {
-            let id = fragments.ids[rest.trailing_zeros() as usize & 15];
+            let id = self.lanes[rest.trailing_zeros() as usize & 15];
             let same = ids.simd_eq(id).to_bitmask() as u32 & rest;
-            if same != 0 {
-                self.ids[t & 15] = id;
-            }
+            self.ids[t & 15] = id;
             self.masks[t & 15] = same;
             rest &= !same;
             t += 1;
@@ -179,7 +173,7 @@ pub(crate) fn interpolate<S: Simd>(
         Way::Four => apart(s, run, layout, fragments, &ByTriangle::<S, 4>::new(s, run, each, distinct), lanes, rows),
         Way::Eight => apart(s, run, layout, fragments, &ByTriangle::<S, 8>::new(s, run, each, distinct), lanes, rows),
         Way::ByLane => {
-            apart(s, run, layout, fragments, &ByLane::new(s, run, each, fragments, distinct.ids[0]), lanes, rows);
+            apart(s, run, layout, fragments, &ByLane::new(s, run, each, distinct), lanes, rows);
         }
         Way::InFull => few_in_full(s, run, position, layout, fragments, distinct, rows),
     }
@@ -416,7 +410,7 @@ impl<S: Simd, const N: usize> ByTriangle<S, N> {
         let mut this = Self { at: [[0; 3]; N], masks: [mask32x16::from_bitmask(s, 0); N] };
         let mut t = 0;
         while t < N {
-            // Beyond the last the first one again, for no lane: a branch would cost more.
+            // Beyond the last any, for no lane: a branch would cost more.
             let [a, b, c] = run.canonical_places(TriangleId(distinct.ids[t & 15]));
             this.at[t] = [a * each, b * each, c * each];
             this.masks[t] = mask32x16::from_bitmask(s, u64::from(distinct.masks[t & 15]));
@@ -455,9 +449,8 @@ struct ByLane([[u32; 16]; 3]);
 
 impl ByLane {
     #[inline(always)]
-    fn new<S: Simd>(s: S, run: &RunView<'_>, each: usize, fragments: &Fragments<'_>, first: u32) -> Self {
-        let ids = u32x16::simd_from(s, *fragments.ids);
-        let ids = mask32x16::from_bitmask(s, u64::from(fragments.mask)).select(ids, u32x16::splat(s, first));
+    fn new<S: Simd>(s: S, run: &RunView<'_>, each: usize, distinct: &Distinct) -> Self {
+        let ids = u32x16::simd_from(s, distinct.lanes);
         let [a, b, c] = run.corners.of_each(s, (ids >> ORDER_BITS) - (run.first_number as u32 + 1));
         let each = each as u32;
         let [a, b, c] = [a * each, b * each, c * each];

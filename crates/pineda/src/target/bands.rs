@@ -98,6 +98,21 @@ impl TileRows {
         }
     }
 
+    /// Gives all pixels one value.
+    pub(crate) fn fill<T: Copy>(&self, band: &mut [T], value: T) {
+        self.update(band, |_| value);
+    }
+
+    /// Replaces each pixel's value.
+    pub(crate) fn update<T: Copy>(&self, band: &mut [T], new: impl Fn(T) -> T) {
+        for row in 0..self.rows {
+            let first = row * self.width + self.x;
+            for pixel in &mut band[first..first + self.columns] {
+                *pixel = new(*pixel);
+            }
+        }
+    }
+
     /// Copies whole blocks out.
     #[inline(always)]
     pub(crate) fn store<T, U: Copy>(

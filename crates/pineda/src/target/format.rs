@@ -22,6 +22,12 @@ impl ColorFormat {
             ColorBuffer::Rgba32F(_) => Self::Rgba32F,
         }
     }
+
+    /// A colour's codes in an 8-bit format, red in the low byte.
+    pub(crate) fn packed(self, [r, g, b, a]: [f32; 4]) -> u32 {
+        let code = |c: f32| if self == Self::Rgba8Srgb { SRGB.encode(c) } else { unorm8(c) };
+        u32::from_le_bytes([code(r), code(g), code(b), unorm8(a)])
+    }
 }
 
 /// The colours of a tile's blocks, without a border.
@@ -48,10 +54,8 @@ impl TileColor {
         self.float.clear();
         match self.format {
             ColorFormat::None => {}
-            ColorFormat::Rgba8 => self.packed.resize(blocks, [u32::from_le_bytes(color.map(unorm8)); 16]),
-            ColorFormat::Rgba8Srgb => {
-                let [r, g, b] = [color[0], color[1], color[2]].map(|c| SRGB.encode(c));
-                self.packed.resize(blocks, [u32::from_le_bytes([r, g, b, unorm8(color[3])]); 16]);
+            ColorFormat::Rgba8 | ColorFormat::Rgba8Srgb => {
+                self.packed.resize(blocks, [self.format.packed(color); 16]);
             }
             ColorFormat::Rgba32F => self.float.resize(blocks, color.map(|c| [c; 16])),
         }

@@ -1,6 +1,6 @@
 //! A tile's way to and from the target's buffers.
 
-use super::paint::{Painter, Painting};
+use super::paint::{Painter, Painting, Start};
 use super::view::{BlockLanes, TileView};
 use crate::raster::triangle_id::{ORDERS, TriangleId};
 use crate::shading::run::RunView;
@@ -38,10 +38,44 @@ pub(crate) fn load(painter: &mut Painter, painting: &Painting<'_>, view: &TileVi
         }
     }
     if let Some(depth) = band.depth.as_deref_mut().filter(|_| loads_depth) {
-        // Depths are compared as integers, which is right for 0 to 1 only. NaN becomes 0.
-        let to_bits = |z: f32| if z > 0.0 { z.min(1.0).to_bits() as i32 } else { 0 };
-        rows.load(depth, &mut painter.tile.depth, block, to_bits);
+        rows.load(depth, &mut painter.tile.depth, block, loaded_depth);
         painter.tile.bound(1.0);
+    }
+}
+
+/// A depth of the target's, as bits. They are compared as integers, which is right for 0 to 1 only. NaN becomes 0.
+fn loaded_depth(z: f32) -> i32 {
+    if z > 0.0 { z.min(1.0).to_bits() as i32 } else { 0 }
+}
+
+/// Clears what a tile without triangles covers.
+pub(crate) fn clear(painting: &Painting<'_>, view: &TileView, row: usize) {
+    let rows = TileRows::new(view, painting.width, painting.height);
+    let Start { color, depth, is_first } = painting.start;
+    let band = &mut *painting.bands.lock(row);
+    match (&mut band.color, color) {
+        (ColorBuffer::Rgba8(pixels) | ColorBuffer::Rgba8Srgb(pixels), Some(color)) => {
+            rows.fill(pixels, painting.wants.color.packed(color).to_le_bytes());
+        }
+        (ColorBuffer::Rgba32F(pixels), Some(color)) => rows.fill(pixels, color),
+        _ => {}
+    }
+    match (band.depth.as_deref_mut(), depth) {
+        (Some(buffer), Some(depth)) => rows.fill(buffer, depth),
+        // As if it had been loaded and stored.
+        (Some(buffer), None) => rows.update(buffer, |z| f32::from_bits(loaded_depth(z) as u32)),
+        (None, _) => {}
+    }
+    if is_first {
+        for ids in [&mut band.triangle_ids, &mut band.draw_ids].into_iter().flatten() {
+            rows.fill(ids, NO_ID);
+        }
+        if let Some(pixels) = band.barycentrics.as_deref_mut() {
+            rows.fill(pixels, [0.0; 3]);
+        }
+        if let Some(hits) = band.hits.as_deref_mut() {
+            rows.fill(hits, 0);
+        }
     }
 }
 

@@ -86,6 +86,9 @@ impl Painter {
         let (row, column) = (number as u32 % painting.grid.rows, number as u32 / painting.grid.rows);
         let view = TileView::new(column, row, painting.grid.log2);
         let bin = row as usize * painting.grid.columns as usize + column as usize;
+        if painting.shares.iter().all(|share| share.bins[bin].is_empty()) {
+            return outputs::clear(painting, &view, row as usize);
+        }
         self.start(painting, &view, row as usize);
         let mut has_visible = false;
         for share in painting.shares {

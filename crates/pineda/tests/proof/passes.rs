@@ -111,3 +111,35 @@ fn a_renderer_forgets_what_it_drew() {
         assert_eq!(fresh.difference(&again), None);
     }
 }
+
+#[test]
+fn tiles_without_triangles_leave_what_others_would() {
+    // A depth buffer of the caller's may hold anything; what it is read as does not depend on where tiles end.
+    let given = [-1.0, f32::NAN, 0.25, 2.0];
+    let corner = [[0.0, 0.0], [8.0, 0.0], [0.0, 8.0]];
+    let [small, middle, large] = TileSize::ALL.map(|tile| {
+        let mut pixels = vec![[7; 4]; 80 * 80];
+        let mut depth: Vec<f32> = given.into_iter().cycle().take(80 * 80).collect();
+        let mut ids = vec![9; 80 * 80];
+        let mut pass = Pass::new();
+        (pass.clear_color, pass.clear_depth) = (None, None);
+        pass.draw_with(
+            Mesh { vertices: &corner, indices: Indices::Sequential },
+            DrawState { space: Space::Raster, ..DrawState::default() },
+            |&[x, y]| (Vec4::from([x, y, 0.0, 1.0]), Real::from(1.0)),
+            |f| Rgba::gray(f.varyings()),
+        );
+        let mut target = Target {
+            color: ColorBuffer::Rgba8(&mut pixels),
+            depth: Some(&mut depth),
+            triangle_ids: Some(&mut ids),
+            ..Target::new(80, 80)
+        };
+        let mut renderer = Renderer::new(Settings { tile, ..Settings::default() }).expect("available");
+        renderer.render(&pass, &mut target).expect("valid");
+        assert_eq!((pixels[79 * 80 + 79], ids[79 * 80 + 79]), ([7; 4], NO_ID));
+        assert_eq!(depth[79 * 80..79 * 80 + 4], [0.0, 0.0, 0.25, 1.0]);
+        (pixels, depth, ids)
+    });
+    assert!(small == large && middle == large);
+}
