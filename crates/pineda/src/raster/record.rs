@@ -26,7 +26,7 @@ pub(crate) struct SmallTriangle(pub(crate) [u32; 8]);
 ///
 /// Words: id; first and last sample column (u16 each); rows; z0; dz/dx; dz/dy; distance of the first block's first sample from the
 /// anchor, x; y (i32 subpixels); the three edge functions there, over 256, rounded down; their steps a pixel right and down (i16 each),
-/// one word an edge; nearest depth of a vertex; unused.
+/// one word an edge; two unused.
 #[derive(Clone, Copy, Debug)]
 #[repr(C, align(64))]
 pub(crate) struct MidTriangle(pub(crate) [u32; 16]);
@@ -34,7 +34,7 @@ pub(crate) struct MidTriangle(pub(crate) [u32; 16]);
 /// Any other triangle, with its vertices.
 ///
 /// Words: id; first and last sample column (u16 each); rows; z0; dz/dx; dz/dy; the vertices in canonical order, x and y each;
-/// nearest depth of a vertex; a bit for each edge that is a top or left edge; the second and third vertex's depths.
+/// a bit for each edge that is a top or left edge; the second and third vertex's depths; one unused.
 #[derive(Clone, Copy, Debug)]
 #[repr(C, align(64))]
 pub(crate) struct LargeTriangle(pub(crate) [u32; 16]);
@@ -81,7 +81,7 @@ impl LargeTriangle {
         let [(x0, y0), (x1, y1), (x2, y2)] = [self.vertex(0), self.vertex(1), self.vertex(2)];
         let (ax, ay, bx, by) = ((x1 - x0) as f64, (y1 - y0) as f64, (x2 - x0) as f64, (y2 - y0) as f64);
         let depth = |word: usize| f64::from(f32::from_bits(self.0[word]));
-        let (dz1, dz2) = (depth(14) - depth(3), depth(15) - depth(3));
+        let (dz1, dz2) = (depth(13) - depth(3), depth(14) - depth(3));
         // Products of differences are exact in f64, and so is the area.
         let scale = f64::from(SUBPIXELS) / (ax * by - bx * ay);
         self.0[4] = (((dz1 * by - dz2 * ay) * scale) as f32).to_bits();

@@ -284,11 +284,6 @@ impl<S: Simd> Facts<S> {
             self.dz_dy.bitcast(),
         ]
     }
-
-    #[inline(always)]
-    fn nearest(&self) -> u32x16<S> {
-        smaller(smaller(self.z[0], self.z[1]), self.z[2]).bitcast()
-    }
 }
 
 /// The records of small triangles, and the lanes of those that cover a sample.
@@ -340,7 +335,7 @@ fn mid_records<S: Simd>(s: S, facts: &Facts<S>, out: &mut [[u32; 16]; 16]) {
                 facts.edges[0].steps(),
                 facts.edges[1].steps(),
                 facts.edges[2].steps(),
-                facts.nearest(),
+                u32x16::splat(s, 0),
                 u32x16::splat(s, 0),
             ]);
         },
@@ -370,10 +365,10 @@ fn large_records<S: Simd>(s: S, facts: &Facts<S>, out: &mut [[u32; 16]; 16]) {
                 facts.y[1].bitcast(),
                 facts.x[2].bitcast(),
                 facts.y[2].bitcast(),
-                facts.nearest(),
                 rule.bitcast(),
                 facts.z[1].bitcast(),
                 facts.z[2].bitcast(),
+                u32x16::splat(s, 0),
             ]);
         },
     );
@@ -519,11 +514,6 @@ fn pack<S: Simd>(low: i32x16<S>, high: i32x16<S>) -> u32x16<S> {
 #[inline(always)]
 fn float<S: Simd>(v: i32x16<S>) -> f32x16<S> {
     v.to_float()
-}
-
-#[inline(always)]
-fn smaller<S: Simd>(a: f32x16<S>, b: f32x16<S>) -> f32x16<S> {
-    a.simd_lt(b).select(a, b)
 }
 
 /// Enters a record into every tile of its box.

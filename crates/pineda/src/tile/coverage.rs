@@ -9,9 +9,6 @@ use crate::raster::bins::{BinEntry, Kind, Share};
 use crate::raster::setup::PixelRect;
 use crate::wide::Simd;
 
-/// A small record is touched this many entries before it is needed: the loop's branches depend on it, and cannot run ahead of it.
-const READ_AHEAD: usize = 12;
-
 /// Hands the covered samples of the records that `entries` name to the sink. `rect` is given where the draw's viewport does not reach
 /// over the whole target: nothing outside is covered.
 #[inline(always)]
@@ -26,16 +23,10 @@ pub(crate) fn cover<S: Simd, K: Sink<S>>(
 ) {
     let lanes = BlockLanes::new(s);
     let mut has_waiting = false;
-    let mut read_ahead = 0;
     let mut i = 0;
     while i < entries.len() {
         let entry = entries[i];
         i += 1;
-        if let Some(&later) = entries.get(i + READ_AHEAD)
-            && later.kind() == Kind::Small
-        {
-            read_ahead ^= share.small[later.index()].0[0];
-        }
         if entry.kind() == Kind::Mid {
             mid(s, &share.mid[entry.index()], view, rect, &lanes, work, sink);
             has_waiting = true;
@@ -54,5 +45,4 @@ pub(crate) fn cover<S: Simd, K: Sink<S>>(
     if has_waiting {
         flush(s, view, rect, &lanes, work, sink);
     }
-    std::hint::black_box(read_ahead);
 }

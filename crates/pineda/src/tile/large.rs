@@ -42,7 +42,7 @@ fn edges(t: &LargeTriangle, x: i32, y: i32, columns: i32, rows: i32) -> Option<[
     while k < 3 {
         let (a, b) = (t.vertex(k), t.vertex((k + 1) % 3));
         let (dx, dy) = (b.0 - a.0, b.1 - a.1);
-        let bias = i64::from(t.0[13] >> k & 1) - 1;
+        let bias = i64::from(t.0[12] >> k & 1) - 1;
         let first = (dx * (i64::from(y) - a.1) - dy * (i64::from(x) - a.0) + bias) >> SUBPIXEL_BITS;
         let (across, down) = (-dy * i64::from(columns - 1), dx * i64::from(rows - 1));
         if first + across.max(0) + down.max(0) < 0 {
