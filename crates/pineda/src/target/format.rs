@@ -119,12 +119,18 @@ impl TileColor {
                 let mut k = 0;
                 while k < 4 {
                     let there = f32x16::simd_from(s, self.float[block][k]);
-                    self.float[block][k] = mask.select(color[k], there).into();
+                    self.float[block][k] = mask.select(one_nan(s, color[k]), there).into();
                     k += 1;
                 }
             }
         }
     }
+}
+
+/// Makes every NaN the same one: sign and payload of a computed NaN differ between kinds of processors.
+#[inline(always)]
+pub(crate) fn one_nan<S: Simd>(s: S, x: f32x16<S>) -> f32x16<S> {
+    x.simd_eq(x).select(x, f32x16::splat(s, f32::from_bits(0x7fc0_0000)))
 }
 
 /// `round(255 x)` of a value clamped to 0 to 1; NaN counts as 0.

@@ -56,7 +56,7 @@ pub enum ColorBuffer<'a> {
     Rgba8(&'a mut [[u8; 4]]),
     /// The same, with red, green and blue encoded by the sRGB curve (IEC 61966-2-1) to the nearest code; blended in linear light.
     Rgba8Srgb(&'a mut [[u8; 4]]),
-    /// As the fragment stage returns them.
+    /// As the fragment stage returns them; every NaN is stored with the bits 0x7fc0_0000.
     Rgba32F(&'a mut [[f32; 4]]),
 }
 

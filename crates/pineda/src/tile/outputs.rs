@@ -6,6 +6,7 @@ use crate::raster::triangle_id::{ORDERS, TriangleId};
 use crate::shading::run::RunView;
 use crate::shading::weights::{Weights, of_clipped, of_triangle};
 use crate::target::bands::TileRows;
+use crate::target::format::one_nan;
 use crate::target::{ColorBuffer, NO_ID};
 use crate::wide::{Simd, dispatch};
 
@@ -215,5 +216,5 @@ fn coordinates<S: Simd>(
     };
     let [a, b, c] = weights.perspective;
     let sum = (a + b) + c;
-    ([(a / sum).into(), (b / sum).into(), (c / sum).into()], order)
+    ([one_nan(s, a / sum).into(), one_nan(s, b / sum).into(), one_nan(s, c / sum).into()], order)
 }

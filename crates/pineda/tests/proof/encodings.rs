@@ -136,3 +136,40 @@ fn what_is_loaded_is_stored_again() {
         }
     }
 }
+
+/// Quotients of 0 and 0: x86 makes a negative NaN of them, ARM a positive one.
+struct NotANumber;
+
+#[shader]
+impl Shader for NotANumber {
+    type Vertex = [f32; 2];
+    type Varyings<L: Lanes> = Real<L>;
+
+    fn vertex(&self, &[x, y]: &[f32; 2]) -> (Vec4, Real) {
+        (Vec4::from([x, y, 0.0, 1.0]), 0.0.into())
+    }
+
+    fn fragment<L: Lanes>(&self, f: &mut Fragment<L, Self>) -> Rgba<L> {
+        let nan = f.varyings() / f.varyings();
+        Rgba::new(nan, -nan, nan.sqrt(), nan - nan)
+    }
+}
+
+#[test]
+fn there_is_one_nan() {
+    let corners = [[-9.0, -9.0], [99.0, -9.0], [-9.0, 99.0]];
+    for blend in [Blend::Opaque, Blend::SourceOver] {
+        for simd in Simd::available() {
+            let mut pixels = [[0.0; 4]; 64];
+            let mut pass = Pass::new();
+            let state = DrawState { space: Space::Raster, blend, ..DrawState::default() };
+            pass.draw(&NotANumber, Mesh { vertices: &corners, indices: Indices::Sequential }, state);
+            let mut renderer = Renderer::new(Settings { simd, ..Settings::default() }).expect("available");
+            let color = ColorBuffer::Rgba32F(&mut pixels);
+            renderer.render(&pass, &mut Target { color, ..Target::new(8, 8) }).expect("valid");
+            for value in pixels.as_flattened() {
+                assert_eq!(value.to_bits(), 0x7fc0_0000, "{simd}, {blend:?}");
+            }
+        }
+    }
+}
