@@ -108,10 +108,10 @@ impl<L: Lanes> Real<L> {
     pub(super) fn inverse_sqrt_of_normal(self) -> Self {
         let lanes = self.lanes();
         let guess = Self(L::bits_f(L::isub(lanes.int(0x5f1f_fff9), L::ishr(L::f_bits(self.0), 1))));
-        let half = 0.5 * self;
         let y = (guess * 0.703_952_25) * (2.389_244_6 - (self * guess) * guess);
-        let y = y * (1.500_000_3 - (half * y) * y);
-        y + y * (0.5 - (half * y) * y)
+        // Halving y is exact; half of a number near the smallest normal one is not.
+        let y = y * (1.500_000_3 - (self * (0.5 * y)) * y);
+        y + y * (0.5 - (self * (0.5 * y)) * y)
     }
 
     /// `self`, which must be from 1/2 to 2, times 2 to the power of the whole number in the low bits of `shifted`, which
