@@ -151,7 +151,7 @@ impl Shader for NotANumber {
 
     fn fragment<L: Lanes>(&self, f: &mut Fragment<L, Self>) -> Rgba<L> {
         let nan = f.varyings() / f.varyings();
-        Rgba::new(nan, -nan, nan.sqrt(), nan - nan)
+        Rgba::new(Vec3::new(nan, -nan, nan.sqrt()), nan * nan)
     }
 }
 

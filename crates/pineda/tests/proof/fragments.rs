@@ -161,8 +161,8 @@ fn slope(t: Triangle, corners: &[ProbeVertex; 3], pixel: [i64; 2], next: [i64; 2
 fn flat_is_the_first_vertex_bit_by_bit_and_facing_follows_the_winding() {
     let mut renderers = Renderers::default();
     for (case, mut vertices, mut random) in soups(400) {
-        // Any bits will do, NaN included; a number for each vertex.
-        vertices.iter_mut().enumerate().for_each(|(k, v)| v.smooth[1] = f32::from_bits(0x7fc0_0000 | k as u32));
+        // Any bits will do but NaN's, of which there is one; a subnormal number for each vertex.
+        vertices.iter_mut().enumerate().for_each(|(k, v)| v.smooth[1] = f32::from_bits(1 + k as u32));
         for order in 0..6 {
             let indices: Vec<u32> = case.triangles.iter().flat_map(|&t| orders(t)[order]).collect();
             let size = [case.width, case.height];
