@@ -11,6 +11,7 @@ use crate::shading::run::RunView;
 use crate::target::bands::Bands;
 use crate::target::format::ColorFormat;
 use crate::tile::paint::{Painter, Painting, Start, Wants};
+use crate::tile::queue::TileQueue;
 use crate::wide::dispatch;
 use crate::{Error, Settings, Target, parallel};
 use fearless_simd::Level;
@@ -180,7 +181,9 @@ impl Renderer {
             },
             wants,
         };
-        parallel::for_each(&mut self.painters, 0..grid.tile_count(), |painter, tile| painter.paint(&painting, tile));
+        let queue = TileQueue::new(&grid);
+        let jobs = 0..self.painters.len().min(grid.tile_count());
+        parallel::for_each(&mut self.painters, jobs, |painter, _| painter.paint_all(&painting, &queue));
     }
 }
 

@@ -8,6 +8,7 @@ pub(crate) mod large;
 pub(crate) mod mid;
 pub(crate) mod outputs;
 pub(crate) mod paint;
+pub(crate) mod queue;
 pub(crate) mod sink;
 pub(crate) mod small;
 pub(crate) mod view;

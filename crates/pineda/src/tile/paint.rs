@@ -1,6 +1,7 @@
 //! One tile from its bins to the target: visibility, shading, ordered draws, copying out.
 
 use super::coverage::cover;
+use super::queue::TileQueue;
 use super::sink::{AnyCompare, HitCounter, Less, Sink, Visibility, depth_bits};
 use super::view::TileView;
 use super::{Tile, outputs};
@@ -80,10 +81,16 @@ impl Painter {
         }
     }
 
-    /// Paints tile `number` and copies it to the target.
-    pub(crate) fn paint(&mut self, painting: &Painting<'_>, number: usize) {
-        // Neighbours in this order lie in different bands, so that threads do not wait for each other's.
-        let (row, column) = (number as u32 % painting.grid.rows, number as u32 / painting.grid.rows);
+    /// Paints one tile after the other until none is left.
+    pub(crate) fn paint_all(&mut self, painting: &Painting<'_>, queue: &TileQueue) {
+        let mut place = None;
+        while let Some((column, row)) = queue.take(&mut place) {
+            self.paint(painting, column, row);
+        }
+    }
+
+    /// Paints a tile and copies it to the target.
+    fn paint(&mut self, painting: &Painting<'_>, column: u32, row: u32) {
         let view = TileView::new(column, row, painting.grid.log2);
         let bin = row as usize * painting.grid.columns as usize + column as usize;
         if painting.shares.iter().all(|share| share.bins[bin].is_empty()) {
