@@ -1,8 +1,8 @@
 //! How near the polynomials come to the true values: `libm`'s in f64, which are right to far more digits than an f32 has.
 //!
 //! The default tests walk through the floats in strides, a million points a function. `cargo test --release -- --ignored
-//! every_float` visits all of them; it has yet to be run to its end. The largest errors that a separate scan found, in ULP: exp2 1.23 (within
-//! +-126), exp 0.99 (within +-87.33), log2 1.34, log 0.86, sin and cos 2.43 (within +-8192).
+//! every_float` visits all of them; it passed last on 22 November 2026. The largest errors that a separate scan found, in ULP: exp2 1.23 (within
+//! +-126), exp 0.99 (within +-87.33), log2 1.34, log 0.86, sin and cos 2.43 (within +-8192); inverse_sqrt 1.35.
 
 use super::{Real, Vec2, Vec3};
 use crate::lanes::Scalar;
