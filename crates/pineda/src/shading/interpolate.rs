@@ -4,10 +4,10 @@
 //! its vertices' varyings are put together first, in one of three ways, and from there on the way no longer matters:
 //!
 //! - *one* triangle: everything is the same in all lanes, and kept for the next packet;
-//! - a *few*: each triangle in turn, its lanes selected by mask;
+//! - a *few*, up to eight: each triangle's vertices in turn, its lanes selected by mask;
 //! - *many*: each lane loads its own vertices; rows of four words are turned round by shuffles.
 //!
-//! Packets with clipped triangles, and varyings that are flat, linear on the screen, or differentiated, go the second way, in full.
+//! Packets with clipped triangles, and varyings that are flat, linear on the screen, or differentiated, take triangles in turn, in full.
 //!
 //! A varying is `(f0 + b1 (f1 - f0)) + b2 (f2 - f0)`, in canonical order of the vertices. What is the same at all three vertices stays
 //! exactly that.
@@ -15,54 +15,16 @@
 //! Nothing here knows the shader's types: varyings are rows of numbers, so that this is compiled once for each SIMD level, and not again for
 //! every shader.
 
+use super::distinct::{Distinct, Fragments, Way};
 use super::packet::{PacketRows, VaryingLayout};
 use super::run::{RECORD_HEADER, RunView, record_rows};
 use super::weights::{Prepared, Weights, of_clipped, of_lanes, of_triangle};
 use super::{Interpolation, MAX_VARYINGS};
 use crate::geometry::raster_space::{HALF_PIXEL, SUBPIXELS};
-use crate::raster::triangle_id::{CLIPPED_CLOCKWISE, ORDER_BITS, TriangleId};
+use crate::raster::triangle_id::{ORDER_BITS, TriangleId};
 use crate::tile::view::BlockLanes;
 use crate::transpose::columns4;
 use crate::wide::{Simd, f32x16, i32x16, mask32x16, u32x4, u32x16};
-
-/// The fragments of a block to be shaded.
-#[derive(Clone, Copy)]
-pub(crate) struct Fragments<'a> {
-    /// The triangle of each lane; those outside the mask are ignored.
-    pub(crate) ids: &'a [u32; 16],
-    /// The lanes to be shaded, at least one.
-    pub(crate) mask: u32,
-    /// The block's first pixel.
-    pub(crate) x: i32,
-    pub(crate) y: i32,
-}
-
-/// The different triangles of a packet, and the way in which it is interpolated.
-#[derive(Clone, Copy)]
-pub(crate) struct Distinct {
-    way: Way,
-    /// The triangle of each lane; the first one's where none counts.
-    lanes: [u32; 16],
-    /// As many as count for that way; beyond the last, any.
-    ids: [u32; 16],
-    /// The lanes of each; beyond the last, none.
-    masks: [u32; 16],
-}
-
-/// How the lanes get their vertices.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Way {
-    /// One triangle.
-    One,
-    /// Triangles in turn, up to so many.
-    Two,
-    Four,
-    Eight,
-    /// Lane by lane.
-    ByLane,
-    /// Triangles in turn, with all that a packet can ask for.
-    InFull,
-}
 
 /// How the three vertices' values of one varying enter: the first, and by how much the others exceed it.
 #[derive(Clone, Copy)]
@@ -84,71 +46,6 @@ impl<S: Simd> Last<S> {
     #[inline(always)]
     pub(crate) fn none(s: S) -> Self {
         Self { id: TriangleId(0), prepared: Prepared::none(s), corners: [[0.0; 3]; MAX_VARYINGS] }
-    }
-}
-
-impl Distinct {
-    pub(crate) const NONE: Self = Self { way: Way::One, lanes: [0; 16], ids: [0; 16], masks: [0; 16] };
-
-    /// Sorts out the triangles of a packet. Nothing here waits for memory, so that it is done for several packets before any is interpolated.
-    #[inline(always)]
-    pub(crate) fn set<S: Simd>(&mut self, s: S, layout: &VaryingLayout, fragments: &Fragments<'_>) {
-        let ids = u32x16::simd_from(s, *fragments.ids);
-        let first = fragments.ids[fragments.mask.trailing_zeros() as usize & 15];
-        let ids = mask32x16::from_bitmask(s, u64::from(fragments.mask)).select(ids, u32x16::splat(s, first));
-        (self.lanes, self.masks) = (ids.into(), [0; 16]);
-        let code: i32x16<S> = (ids & ((1 << ORDER_BITS) - 1)).bitcast();
-        let is_plain = layout.is_plain && code.simd_ge(CLIPPED_CLOCKWISE as i32).all_false();
-        self.way = if is_plain { self.plain_way(ids, fragments) } else { Way::InFull };
-        if !is_plain {
-            self.take(ids, 0..16, fragments.mask);
-        }
-    }
-
-    #[inline(always)]
-    fn plain_way<S: Simd>(&mut self, ids: u32x16<S>, fragments: &Fragments<'_>) -> Way {
-        let rest = self.take(ids, 0..1, fragments.mask);
-        if rest == 0 {
-            return Way::One;
-        }
-        if has_five(&self.lanes) {
-            return Way::ByLane;
-        }
-        let rest = self.take(ids, 1..2, rest);
-        if rest == 0 {
-            return Way::Two;
-        }
-        let rest = self.take(ids, 2..4, rest);
-        if rest == 0 {
-            return Way::Four;
-        }
-        let rest = self.take(ids, 4..8, rest);
-        if rest == 0 { Way::Eight } else { Way::ByLane }
-    }
-
-    /// Takes so many triangles out of the lanes of `rest`, whether there are as many or not: a branch would cost more.
-    #[inline(always)]
-    fn take<S: Simd>(&mut self, ids: u32x16<S>, places: std::ops::Range<usize>, mut rest: u32) -> u32 {
-        let mut t = places.start;
-        while t < places.end {
-            let id = self.lanes[rest.trailing_zeros() as usize & 15];
-            let same = ids.simd_eq(id).to_bitmask() as u32 & rest;
-            self.ids[t & 15] = id;
-            self.masks[t & 15] = same;
-            rest &= !same;
-            t += 1;
-        }
-        rest
-    }
-
-    /// How many there are.
-    #[inline(always)]
-    fn count(&self) -> usize {
-        let mut count = 0;
-        while count < 16 && self.masks[count] != 0 {
-            count += 1;
-        }
-        count
     }
 }
 
@@ -177,14 +74,6 @@ pub(crate) fn interpolate<S: Simd>(
         }
         Way::InFull => few_in_full(s, run, position, layout, fragments, distinct, rows),
     }
-}
-
-/// Whether the corners of a block and one sample within show five different triangles: a quick way to know that there are many.
-#[inline(always)]
-fn has_five(ids: &[u32; 16]) -> bool {
-    let [a, b, c, d, e] = [ids[0], ids[3], ids[12], ids[15], ids[5]];
-    let corners = (a != b) & (a != c) & (a != d) & (b != c) & (b != d) & (c != d);
-    corners & (e != a) & (e != b) & (e != c) & (e != d)
 }
 
 #[inline(never)]

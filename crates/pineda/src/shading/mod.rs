@@ -204,6 +204,7 @@ mod stage;
 mod varyings;
 
 mod blend;
+pub(crate) mod distinct;
 pub(crate) mod interpolate;
 pub(crate) mod packet;
 pub(crate) mod run;

@@ -1,7 +1,8 @@
 //! From covered or visible samples to colours in the tile: interpolation, the user's fragment stage, blending.
 
 use super::blend::blend;
-use super::interpolate::{Distinct, Fragments, Last, interpolate};
+use super::distinct::{Distinct, Fragments};
+use super::interpolate::{Last, interpolate};
 use super::packet::{BATCH, PacketBatch, PacketState, VaryingLayout};
 use super::run::RunView;
 use crate::pass::draw_call::DrawCall;
