@@ -281,8 +281,8 @@ fn in_full<S: Simd>(
 
 /// Where the lanes' vertex records come from.
 trait Vertices<S: Simd> {
-    /// Row `r` of the records of each lane's vertex `corner`, in canonical order: four words, lane by lane, of which the first `WORDS` count.
-    fn row<const WORDS: usize>(&self, s: S, run: &RunView<'_>, corner: usize, r: usize) -> [u32x16<S>; 4];
+    /// Row `r` of the records of each lane's vertex `corner`, in canonical order: four words, lane by lane.
+    fn row(&self, s: S, run: &RunView<'_>, corner: usize, r: usize) -> [u32x16<S>; 4];
 }
 
 /// Up to `N` triangles, taken in turn.
@@ -311,7 +311,7 @@ impl<S: Simd, const N: usize> ByTriangle<S, N> {
 
 impl<S: Simd, const N: usize> Vertices<S> for ByTriangle<S, N> {
     #[inline(always)]
-    fn row<const WORDS: usize>(&self, s: S, run: &RunView<'_>, corner: usize, r: usize) -> [u32x16<S>; 4] {
+    fn row(&self, s: S, run: &RunView<'_>, corner: usize, r: usize) -> [u32x16<S>; 4] {
         let mut records = [&[0; 4]; N];
         let mut t = 0;
         while t < N {
@@ -320,7 +320,7 @@ impl<S: Simd, const N: usize> Vertices<S> for ByTriangle<S, N> {
         }
         let mut row = [u32x16::splat(s, 0); 4];
         let mut i = 0;
-        while i < WORDS {
+        while i < 4 {
             row[i] = u32x16::splat(s, records[0][i]);
             let mut t = 1;
             while t < N {
@@ -358,7 +358,7 @@ impl ByLane {
 
 impl<S: Simd> Vertices<S> for ByLane {
     #[inline(always)]
-    fn row<const WORDS: usize>(&self, s: S, run: &RunView<'_>, corner: usize, r: usize) -> [u32x16<S>; 4] {
+    fn row(&self, s: S, run: &RunView<'_>, corner: usize, r: usize) -> [u32x16<S>; 4] {
         let at = &self.0[corner];
         columns4(four(s, run, at, r, 0), four(s, run, at, r, 4), four(s, run, at, r, 8), four(s, run, at, r, 12))
     }
@@ -391,7 +391,7 @@ fn apart<S: Simd>(
 ) {
     let varyings = layout.interpolation.len();
     // The first row of each record holds x, y, 1 / w and the first varying.
-    let [mut a, mut b, mut c] = rows_of_three::<4, S>(s, run, vertices, 0);
+    let [mut a, mut b, mut c] = rows_of_three(s, run, vertices, 0);
     let x = (lanes.column << 8) + (fragments.x * SUBPIXELS + HALF_PIXEL);
     let y = (lanes.row << 8) + (fragments.y * SUBPIXELS + HALF_PIXEL);
     let vx = [a[0].bitcast::<i32x16<S>>() - x, b[0].bitcast::<i32x16<S>>() - x, c[0].bitcast::<i32x16<S>>() - x];
@@ -401,11 +401,7 @@ fn apart<S: Simd>(
     let mut r = 0;
     while r < record_rows(varyings) {
         if r != 0 {
-            [a, b, c] = match RECORD_HEADER + varyings - 4 * r {
-                1 => rows_of_three::<1, S>(s, run, vertices, r),
-                2 => rows_of_three::<2, S>(s, run, vertices, r),
-                _ => rows_of_three::<4, S>(s, run, vertices, r),
-            };
+            [a, b, c] = rows_of_three(s, run, vertices, r);
         }
         let mut i = 0;
         while i < 4 {
@@ -424,11 +420,6 @@ fn apart<S: Simd>(
 
 /// Row `r` of the records of all three vertices.
 #[inline(always)]
-fn rows_of_three<const WORDS: usize, S: Simd>(
-    s: S,
-    run: &RunView<'_>,
-    vertices: &impl Vertices<S>,
-    r: usize,
-) -> [[u32x16<S>; 4]; 3] {
-    [vertices.row::<WORDS>(s, run, 0, r), vertices.row::<WORDS>(s, run, 1, r), vertices.row::<WORDS>(s, run, 2, r)]
+fn rows_of_three<S: Simd>(s: S, run: &RunView<'_>, vertices: &impl Vertices<S>, r: usize) -> [[u32x16<S>; 4]; 3] {
+    [vertices.row(s, run, 0, r), vertices.row(s, run, 1, r), vertices.row(s, run, 2, r)]
 }

@@ -79,6 +79,13 @@ impl TileRows {
         Self { width: width as usize, x: view.x as usize, columns: within(view.x, width), rows: within(view.y, height) }
     }
 
+    /// The tile's part of each row of a band.
+    #[inline(always)]
+    fn rows_of<'b, T>(&self, band: &'b mut [T]) -> impl Iterator<Item = &'b mut [T]> {
+        let (first, last) = (self.x, self.x + self.columns);
+        band.chunks_mut(self.width).take(self.rows).map(move |row| &mut row[first..last])
+    }
+
     /// Calls `copy(row of the band, block, first sample)` for each piece of at most four pixels. `blocks` gives the
     /// number of the first block of a row of blocks.
     #[inline(always)]
@@ -88,11 +95,9 @@ impl TileRows {
         blocks: impl Fn(usize) -> usize,
         mut copy: impl FnMut(&mut [T], usize, usize),
     ) {
-        for row in 0..self.rows {
-            let first = row * self.width + self.x;
-            let pieces = band[first..first + self.columns].chunks_mut(4);
+        for (row, pixels) in self.rows_of(band).enumerate() {
             let block = blocks(row / 4);
-            for (k, piece) in pieces.enumerate() {
+            for (k, piece) in pixels.chunks_mut(4).enumerate() {
                 copy(piece, block + k, row % 4 * 4);
             }
         }
@@ -105,11 +110,8 @@ impl TileRows {
 
     /// Replaces each pixel's value.
     pub(crate) fn update<T: Copy>(&self, band: &mut [T], new: impl Fn(T) -> T) {
-        for row in 0..self.rows {
-            let first = row * self.width + self.x;
-            for pixel in &mut band[first..first + self.columns] {
-                *pixel = new(*pixel);
-            }
+        for pixel in self.rows_of(band).flatten() {
+            *pixel = new(*pixel);
         }
     }
 
@@ -122,9 +124,8 @@ impl TileRows {
         blocks: impl Fn(usize) -> usize,
         convert: impl Fn(U) -> T,
     ) {
-        for row in 0..self.rows {
-            let first = row * self.width + self.x;
-            let (whole, rest) = band[first..first + self.columns].as_chunks_mut::<4>();
+        for (row, pixels) in self.rows_of(band).enumerate() {
+            let (whole, rest) = pixels.as_chunks_mut::<4>();
             let samples = source[blocks(row / 4)..].iter().map(|block| &block.as_chunks::<4>().0[row % 4]);
             for (four, samples) in whole.iter_mut().zip(samples.clone()) {
                 *four = samples.map(&convert);

@@ -22,7 +22,7 @@ impl TileQueue {
         Self { columns: grid.columns, next, fresh: AtomicUsize::new(0) }
     }
 
-    /// Column and row of a tile that nobody has had, `None` if there is none left. `row` is where the thread is; anything for its first tile.
+    /// Column and row of a tile that nobody has had, `None` if there is none left. `row` is the thread's, `None` before its first tile.
     pub(crate) fn take(&self, row: &mut Option<usize>) -> Option<(u32, u32)> {
         let take = |row: usize| {
             let column = self.next[row].fetch_add(1, Relaxed);

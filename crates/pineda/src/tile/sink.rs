@@ -142,7 +142,9 @@ impl<S: Simd, T: DepthTest<S>, const ID: bool> Sink<S> for Visibility<'_, T, ID>
     fn covered_window(&mut self, window: usize, farthest: f32) {
         if T::NEARER_ONLY {
             let bound = &mut self.windows[window & 15];
-            *bound = bound.min(farthest.max(0.0));
+            if farthest < *bound {
+                *bound = farthest.max(0.0);
+            }
         }
     }
 }
