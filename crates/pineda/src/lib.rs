@@ -94,7 +94,8 @@ mod wide;
 
 pub use error::Error;
 pub use pass::{
-    Blend, Compare, Cull, DepthState, DrawState, FrontFace, Indices, Mesh, Pass, Renderer, Space, Statistics, Viewport,
+    Blend, Compare, Cull, DepthState, DrawState, FrontFace, Indices, Instanced, Mesh, Pass, PrimitiveTopology,
+    ProvokingVertex, Renderer, Space, Statistics, Viewport,
 };
 pub use settings::{Settings, Simd, TileSize, UnknownSimd};
 pub use target::{ColorBuffer, MAX_SIZE, NO_ID, Target};
