@@ -85,23 +85,31 @@ impl<V: Copy + Sync, I: Copy + Sync> Input for Instances<'_, V, I> {
 pub(crate) struct Walk<'a> {
     source: Source<'a>,
     place: usize,
-    vertex: usize,
     instance: usize,
-    /// How many vertices of this instance are left.
-    left: usize,
+    /// The next vertex of this instance, or its place in the list.
+    next: usize,
+    /// Where this instance's end, and the next one's begin again.
+    end: usize,
+    begin: usize,
 }
 
 impl<'a> Walk<'a> {
     /// From `place` on.
     #[inline(always)]
     pub(crate) fn new<I: Input>(input: &I, source: Source<'a>, place: usize) -> Self {
-        let mut this = Self { source, place, vertex: 0, instance: 0, left: usize::MAX };
+        let mut this = Self { source, place, instance: 0, next: 0, end: usize::MAX, begin: 0 };
         if I::IS_INSTANCED {
             // The only divisions: an instance may be one triangle.
             let number = source.vertex(place);
-            (this.vertex, this.instance) = (number % input.vertex_count(), number / input.vertex_count());
-            if let Source::Instances { each, .. } = source {
-                this.left = each - place % each;
+            this.instance = number / input.vertex_count();
+            this.next = number % input.vertex_count();
+            match source {
+                Source::Range(_) => {}
+                Source::List { indices, .. } => (this.next, this.end) = (place % indices.len(), indices.len()),
+                Source::Instances { each, .. } => {
+                    this.begin = this.next - place % each;
+                    this.end = this.begin + each;
+                }
             }
         }
         this
@@ -113,21 +121,15 @@ impl<'a> Walk<'a> {
         let place = self.place;
         self.place += 1;
         if !I::IS_INSTANCED {
-            return input.fetch(self.source.vertex(place), 0);
+            return input.fetch(self.source.vertex_of_one(place), 0);
         }
-        if let Source::List { indices, .. } = self.source {
-            return input.fetch(indices[place] as usize, self.instance);
-        }
-        if self.left == 0
-            && let Source::Instances { each, .. } = self.source
-        {
+        if self.next == self.end {
             self.instance += 1;
-            self.vertex -= each;
-            self.left = each;
+            self.next = self.begin;
         }
-        let fetched = input.fetch(self.vertex, self.instance);
-        self.vertex += 1;
-        self.left -= 1;
-        fetched
+        let next = self.next;
+        self.next += 1;
+        let vertex = if let Source::List { indices, .. } = self.source { indices[next] as usize } else { next };
+        input.fetch(vertex, self.instance)
     }
 }

@@ -67,8 +67,8 @@ impl<'a> Pass<'a> {
     /// Adds a draw of a mesh once for each instance.
     ///
     /// The instances are anything that can be copied: places, matrices, colours, or `()` where the number alone is enough. The vertex stage gets
-    /// each vertex together with the instance's data and number, as an [`Instanced`], once for each vertex of each instance. The picture is that of as many draws,
-    /// one after the other, but this costs a small part of their time, and no memory that grows with the number of instances.
+    /// each vertex together with the instance's data and number, as an [`Instanced`]. The picture is that of as many draws, one after the other, at a small part of
+    /// their cost: time goes with the number of vertices and triangles, and memory stays within [`Settings::memory`](crate::Settings::memory) as ever.
     ///
     /// ```
     /// use pineda::*;

@@ -53,8 +53,9 @@ pub(crate) enum Geometry<'p> {
     /// As the triangles say that are assembled in this part of the batch's list. They hold places; vertex `first_vertex` of each instance
     /// has its first, and `vertices_each` later comes the next instance's.
     Shared { triangles: Range<usize>, first_vertex: u32, vertices_each: u32, source: Source<'static> },
-    /// Each corner a vertex of its own, of the instance whose vertex 0 has the number `base`.
-    Alone { triangles: Range<usize>, base: usize },
+    /// Each corner a vertex of its own, as the triangles of one instance say that are assembled in this part of the batch's list. The first
+    /// instance's vertex 0 has the number `base`, and they are `stride` apart.
+    Alone { triangles: Range<usize>, base: usize, stride: usize },
 }
 
 impl Run<'_> {
@@ -72,9 +73,18 @@ impl Run<'_> {
         match &self.geometry {
             Geometry::Given(_, source) => *source,
             Geometry::Shared { source, .. } => *source,
-            Geometry::Alone { triangles, base } => {
-                Source::List { indices: assembled[triangles.clone()].as_flattened(), base: *base }
+            Geometry::Alone { triangles, base, stride } => {
+                let indices = assembled[triangles.clone()].as_flattened();
+                Source::List { indices, base: *base, stride: *stride }
             }
+        }
+    }
+
+    /// How many triangles are assembled for it.
+    pub(crate) fn assembled(&self) -> usize {
+        match &self.geometry {
+            Geometry::Given(..) => 0,
+            Geometry::Shared { triangles, .. } | Geometry::Alone { triangles, .. } => triangles.len(),
         }
     }
 
@@ -235,20 +245,40 @@ fn piece<'p>(
         Piece { first, triangles, geometry, vertices, bytes: bytes(triangles, vertices) }
     };
 
+    // With a vertex of its own for each corner.
+    let alone = |triangles: usize, instances: usize| {
+        let stride = call.vertex_count();
+        let geometry = match assembly.indices {
+            Indices::U32(indices) if assembly.is_plain_list() => {
+                let indices = &indices[3 * within..3 * (within + triangles)];
+                Geometry::Given(Corners::Sequential, Source::List { indices, base, stride })
+            }
+            _ => Geometry::Alone { triangles: assembled..assembled + triangles, base, stride },
+        };
+        let triangles = triangles * instances;
+        Piece { first, triangles, geometry, vertices: 3 * triangles, bytes: bytes(triangles, 3 * triangles) }
+    };
+
     if within == 0 && extent.instances > 1 {
-        let each = bytes(extent.triangles, extent.vertices.len());
+        let is_sparse = extent.vertices.len() > 3 * extent.triangles;
+        let vertices = if is_sparse { 3 * extent.triangles } else { extent.vertices.len() };
+        let each = bytes(extent.triangles, vertices);
         let whole = (extent.instances - instance).min(room.triangles / extent.triangles).min(room.bytes / each);
         if whole > 0 {
-            return Some(shared(extent.triangles, extent.vertices.clone(), whole));
+            let vertices = extent.vertices.clone();
+            return Some(if is_sparse {
+                alone(extent.triangles, whole)
+            } else {
+                shared(extent.triangles, vertices, whole)
+            });
         }
     }
 
     let left = (extent.triangles - within).min(room.triangles);
-    // With vertices of its own for each corner.
-    let alone = left.min((room.bytes / bytes(1, 3)).max(if room.is_fresh { 16 } else { 0 }));
+    let count_alone = left.min((room.bytes / bytes(1, 3)).max(if room.is_fresh { 16 } else { 0 }));
     let is_sequential_list = matches!(assembly.indices, Indices::Sequential) && !is_assembled;
     if is_sequential_list {
-        return (alone > 0).then(|| shared(alone, 3 * within..3 * (within + alone), 1));
+        return (count_alone > 0).then(|| shared(count_alone, 3 * within..3 * (within + count_alone), 1));
     }
     // All that is left, with all of the draw's vertices.
     if left == extent.triangles - within && bytes(left, extent.vertices.len()) <= room.bytes {
@@ -259,21 +289,14 @@ fn piece<'p>(
     }
     // A stretch whose vertices stand close together in the buffer, as those of most meshes do.
     let triangles = left.min(room.bytes / bytes(1, 1));
-    if triangles > alone {
+    if triangles > count_alone {
         let (low, high) = assembly.reach(&extent.stretches, within, triangles);
         let span = low as usize..high as usize + 1;
         if bytes(triangles, span.len()) <= room.bytes {
             return Some(shared(triangles, span, 1));
         }
     }
-    let geometry = match assembly.indices {
-        Indices::U32(indices) if !is_assembled => {
-            let indices = &indices[3 * within..3 * (within + alone)];
-            Geometry::Given(Corners::Sequential, Source::List { indices, base })
-        }
-        _ => Geometry::Alone { triangles: assembled..assembled + alone, base },
-    };
-    Some(Piece { first, triangles: alone, geometry, vertices: 3 * alone, bytes: bytes(alone, 3 * alone) })
+    Some(alone(count_alone, 1))
 }
 
 impl<'p> Batch<'p> {

@@ -114,8 +114,8 @@ impl Renderer {
                 Geometry::Alone { .. } => (0, 0),
             };
             let (own, first, others);
-            (own, rest) = rest.split_at_mut(run.triangles);
-            (first, others) = own.split_at_mut(run.triangles.min(run.triangles_each));
+            (own, rest) = rest.split_at_mut(run.assembled());
+            (first, others) = own.split_at_mut(run.assembled().min(run.triangles_each));
             firsts.push((run, first_vertex, first));
             copies.push((others, vertices_each));
         }

@@ -20,8 +20,8 @@ pub(crate) const fn record_rows(varyings: usize) -> usize {
 pub(crate) enum Source<'a> {
     /// Vertex `first + place`.
     Range(usize),
-    /// The vertex that `indices[place]` names, of the instance whose vertex 0 has the number `base`.
-    List { indices: &'a [u32], base: usize },
+    /// The vertices that indices name, of one instance after the other; the first one's vertex 0 has the number `base`, and they are `stride` apart.
+    List { indices: &'a [u32], base: usize, stride: usize },
     /// The same `each` vertices of one instance after the other, the first of them number `first`; instances are `stride` apart.
     Instances { first: usize, each: usize, stride: usize },
 }
@@ -31,8 +31,19 @@ impl Source<'_> {
     pub(crate) fn vertex(&self, place: usize) -> usize {
         match *self {
             Self::Range(first) => first + place,
-            Self::List { indices, base } => base + indices[place] as usize,
+            Self::List { indices, base, stride } => {
+                base + place / indices.len() * stride + indices[place % indices.len()] as usize
+            }
             Self::Instances { first, each, stride } => first + place / each * stride + place % each,
+        }
+    }
+
+    /// The same, where there is one instance: without divisions.
+    #[inline(always)]
+    pub(crate) fn vertex_of_one(&self, place: usize) -> usize {
+        match *self {
+            Self::Range(first) | Self::Instances { first, .. } => first + place,
+            Self::List { indices, base, .. } => base + indices[place] as usize,
         }
     }
 }

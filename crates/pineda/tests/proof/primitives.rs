@@ -186,7 +186,7 @@ fn same(seed: u64, what: &str, mut whole: Drawing, mut other: Drawing) {
 
 #[test]
 fn every_topology_is_the_same_bits_as_a_list() {
-    let mut renderers = Renderers::default();
+    let (mut renderers, mut covering, mut clipping) = (Renderers::default(), 0, 0);
     for seed in 0..600 {
         let mut random = Random::new(seed);
         let count = random.between(3, 200) as usize;
@@ -196,8 +196,11 @@ fn every_topology_is_the_same_bits_as_a_list() {
         let list = drawn_as_list(&vertices, &triangles(&row, &state), state);
         let indices = Row::new(&mut random, &row);
         let found = drawn(renderers.nth(random.bits()), &vertices, indices.indices(), state);
+        covering += usize::from(found.hits.iter().any(|&hits| hits > 0));
+        clipping += usize::from(found.statistics.clipped > 0);
         same(seed, &format!("{state:?} {indices:?}"), list, found);
     }
+    assert!(covering > 400 && clipping > 200, "{covering} cover pixels, {clipping} are clipped");
 }
 
 #[test]
@@ -245,7 +248,7 @@ fn long_strips_are_cut_like_lists() {
         let list = drawn_as_list(&vertices, &triangles(&row, &state), state);
         for settings in [
             Settings { memory: 0, threads: 1, ..Settings::default() },
-            Settings { memory: 2 << 20, threads: 2, tile: TileSize::T16, ..Settings::default() },
+            Settings { memory: 3 << 19, threads: 2, tile: TileSize::T16, ..Settings::default() },
             Settings { memory: 0, threads: 7, simd: Simd::Scalar, ..Settings::default() },
         ] {
             let indices = Row::new(&mut random, &row);
@@ -312,10 +315,10 @@ fn instances_are_the_same_bits_as_draws() {
 
 #[test]
 fn many_and_large_instances_are_cut() {
-    // Batches of many instances, of a few, and instances of several batches.
-    for (seed, count, size) in
-        [(0, 9_000, [9, 9]), (1, 40, [900, 1_800]), (2, 3, [9_000, 36_000]), (3, 3, [50_000, 30_000])]
-    {
+    // Batches of many instances, of a few, and instances of several batches. Last, some that use a few vertices of many: of indices of every width.
+    let mut cases = vec![(0, 9_000, [9, 9]), (1, 40, [900, 1_800]), (2, 3, [9_000, 36_000]), (3, 3, [50_000, 30_000])];
+    cases.extend((4..12).map(|seed| (seed, 9_000, [90, 6])));
+    for (seed, count, size) in cases {
         for (threads, simd) in [(1, Simd::Auto), (2, Simd::Scalar), (7, Simd::Auto)] {
             let mut random = Random::new(seed);
             let settings = Settings { memory: 0, threads, simd, ..Settings::default() };
