@@ -66,13 +66,14 @@ impl Renderer {
     pub fn render(&mut self, pass: &Pass<'_>, target: &mut Target<'_>) -> Result<Statistics, Error> {
         target.validate()?;
         let extents = validate(pass, self.level, self.threads)?;
-        let batches = plan(pass, &extents, target.width, target.height, self.settings.memory);
-        let flushes = self.reserve(batches.clone(), target)?;
+        let mut others = plan(pass, &extents, target.width, target.height, self.settings.memory);
+        let first = others.next().unwrap_or_default();
+        let flushes = self.reserve(&first, others.clone(), target)?;
         let grid = TileGrid::new(target.width, target.height, self.settings.tile.log2());
         let mut depth = std::mem::take(&mut self.depth);
         let mut target = with_depth(target, &mut depth, flushes);
         let mut statistics = Statistics::default();
-        for (flush, batch) in batches.enumerate() {
+        for (flush, batch) in std::iter::once(first).chain(others).enumerate() {
             self.assemble(pass, &extents, &batch);
             self.run_vertices(pass, &batch);
             self.set_up(pass, &batch, grid);
@@ -85,9 +86,10 @@ impl Renderer {
     }
 
     /// Memory for the largest batch, and for each thread's state. Returns how many batches there are.
-    fn reserve(&mut self, batches: Plan<'_>, target: &Target<'_>) -> Result<usize, Error> {
-        let (mut flushes, mut assembled, mut screen, mut records) = (0, 0, 0, 0);
-        for batch in batches {
+    fn reserve(&mut self, first: &Batch<'_>, others: Plan<'_>, target: &Target<'_>) -> Result<usize, Error> {
+        let (mut flushes, mut assembled) = (1, first.assembled);
+        let (mut screen, mut records) = (first.screen_vertices, first.record_rows);
+        for batch in others {
             flushes += 1;
             assembled = batch.assembled.max(assembled);
             screen = batch.screen_vertices.max(screen);
