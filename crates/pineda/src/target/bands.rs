@@ -105,13 +105,17 @@ impl TileRows {
 
     /// Gives all pixels one value.
     pub(crate) fn fill<T: Copy>(&self, band: &mut [T], value: T) {
-        self.update(band, |_| value);
+        for row in self.rows_of(band) {
+            row.fill(value);
+        }
     }
 
     /// Replaces each pixel's value.
     pub(crate) fn update<T: Copy>(&self, band: &mut [T], new: impl Fn(T) -> T) {
-        for pixel in self.rows_of(band).flatten() {
-            *pixel = new(*pixel);
+        for row in self.rows_of(band) {
+            for pixel in row {
+                *pixel = new(*pixel);
+            }
         }
     }
 

@@ -11,6 +11,7 @@ use crate::pass::plan::{Batch, Segment, SegmentKind};
 use crate::raster::bins::{BinEntry, Share, TileGrid};
 use crate::raster::setup::PixelRect;
 use crate::raster::triangle_id::TriangleId;
+use crate::shading::cached::TriangleCache;
 use crate::shading::packet::PacketBatch;
 use crate::shading::run::RunView;
 use crate::shading::shade::{OrderedPacket, Shading, VisiblePacket, shade_in_order, shade_visible};
@@ -63,6 +64,7 @@ pub(crate) struct Painter {
     pub(crate) hits: Vec<[u32; 16]>,
     visible: Vec<VisiblePacket>,
     batch: PacketBatch,
+    cache: TriangleCache,
     ordered: Vec<OrderedPacket>,
 }
 
@@ -77,12 +79,14 @@ impl Painter {
             hits: Vec::new(),
             visible: Vec::new(),
             batch: PacketBatch::new(),
+            cache: TriangleCache::new(),
             ordered: Vec::new(),
         }
     }
 
     /// Paints one tile after the other until none is left.
     pub(crate) fn paint_all(&mut self, painting: &Painting<'_>, queue: &TileQueue) {
+        self.cache.forget();
         let mut place = None;
         while let Some((column, row)) = queue.take(&mut place) {
             self.paint(painting, column, row);
@@ -198,6 +202,7 @@ impl Painter {
                 tile: &mut self.tile,
                 color: &mut self.color,
                 batch: &mut self.batch,
+                cache: &mut self.cache,
             };
             dispatch!(painting.level, s => shade_visible(s, &mut shading, packets));
         }
@@ -237,6 +242,7 @@ impl Painter {
                     tile: &mut self.tile,
                     color: &mut self.color,
                     batch: &mut self.batch,
+                    cache: &mut self.cache,
                 };
                 dispatch!(painting.level, s => shade_in_order(s, &mut shading, packets));
             },
