@@ -60,7 +60,7 @@ fn execute<'a>(
         front_face: drawing.front_face,
         depth: DepthState { compare, write: true },
         blend: if blends { Blend::SourceOver } else { Blend::Opaque },
-        viewport: None,
+        ..DrawState::default()
     };
     let [r, g, b] = drawing.background;
     let mut pass = Pass::new();

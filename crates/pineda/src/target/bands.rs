@@ -11,6 +11,7 @@ pub(crate) struct Band<'a> {
     pub(crate) color: ColorBuffer<'a>,
     pub(crate) depth: Option<&'a mut [f32]>,
     pub(crate) triangle_ids: Option<&'a mut [u32]>,
+    pub(crate) instance_ids: Option<&'a mut [u32]>,
     pub(crate) draw_ids: Option<&'a mut [u32]>,
     pub(crate) barycentrics: Option<&'a mut [[f32; 3]]>,
     pub(crate) hits: Option<&'a mut [u32]>,
@@ -28,6 +29,7 @@ impl<'a> Bands<'a> {
         let mut color = color_chunks(&mut target.color, rows);
         let mut depth = chunks(&mut target.depth, rows);
         let mut triangle_ids = chunks(&mut target.triangle_ids, rows);
+        let mut instance_ids = chunks(&mut target.instance_ids, rows);
         let mut draw_ids = chunks(&mut target.draw_ids, rows);
         let mut barycentrics = chunks(&mut target.barycentrics, rows);
         let mut hits = chunks(&mut target.hits, rows);
@@ -36,6 +38,7 @@ impl<'a> Bands<'a> {
                 color: color.next().unwrap_or_default(),
                 depth: depth.next(),
                 triangle_ids: triangle_ids.next(),
+                instance_ids: instance_ids.next(),
                 draw_ids: draw_ids.next(),
                 barycentrics: barycentrics.next(),
                 hits: hits.next(),

@@ -51,7 +51,7 @@ pub(crate) struct Start {
 pub(crate) struct Wants {
     pub(crate) color: ColorFormat,
     pub(crate) depth: bool,
-    /// Triangle ids, draw ids or barycentric coordinates.
+    /// Triangle, instance or draw ids, or barycentric coordinates.
     pub(crate) ids: bool,
     pub(crate) hits: bool,
 }

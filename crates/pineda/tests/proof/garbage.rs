@@ -47,6 +47,7 @@ fn garbage_is_drawn_without_a_panic() {
             depth: DepthState { compare: random.pick(&Compare::ALL), write: random.one_in(2) },
             blend: random.pick(&[Blend::Opaque, Blend::SourceOver, Blend::PremultipliedSourceOver]),
             viewport,
+            ..DrawState::default()
         };
         let mut pass = Pass::new();
         pass.clear_color = random.one_in(2).then(|| floats(&mut random));
