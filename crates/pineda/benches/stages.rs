@@ -105,7 +105,7 @@ fn stages(criterion: &mut Criterion) {
     bench(criterion, "shade_gouraud", pixels / 2, &scene, &plain, state, Output::Color);
     bench(criterion, "shade_blinn_phong", pixels / 2, &scene, &lit, state, Output::Color);
     bench(criterion, "encode_srgb", pixels / 2, &scene, &plain, state, Output::Srgb);
-    let blended = DrawState { blend: Blend::SourceOver, ..state };
+    let blended = DrawState { blend: Blend::ALPHA, ..state };
     bench(criterion, "blend", pixels / 2, &scene, &plain, blended, Output::Color);
 
     let scene = knot();

@@ -59,8 +59,8 @@ fn execute<'a>(
         cull: drawing.cull,
         front_face: drawing.front_face,
         depth: DepthState { compare, write: true },
-        blend: if blends { Blend::SourceOver } else { Blend::Opaque },
-        viewport: None,
+        blend: if blends { Blend::ALPHA } else { Blend::OPAQUE },
+        ..DrawState::default()
     };
     let [r, g, b] = drawing.background;
     let mut pass = Pass::new();

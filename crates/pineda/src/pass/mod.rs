@@ -1,5 +1,6 @@
 //! Passes: what is to be drawn, recorded first and executed afterwards.
 
+mod blend;
 pub(crate) mod draw_call;
 pub(crate) mod plan;
 mod render;
@@ -7,8 +8,9 @@ mod state;
 mod statistics;
 mod validate;
 
+pub use blend::{Blend, BlendComponent, BlendFactor, BlendOperation, ColorMask};
 pub use render::Renderer;
-pub use state::{Blend, Compare, Cull, DepthState, DrawState, FrontFace, Space, Viewport};
+pub use state::{Compare, Cull, DepthState, DrawState, FrontFace, Space, Viewport};
 pub use statistics::Statistics;
 
 use crate::lanes::Scalar;

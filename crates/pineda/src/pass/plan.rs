@@ -5,7 +5,7 @@
 //! it makes no difference to any bit.
 
 use super::validate::{DrawExtent, smallest_and_largest};
-use super::{Blend, Compare, Indices, Pass, Viewport};
+use super::{ColorMask, Compare, DepthState, DrawState, Indices, Pass, Viewport};
 use crate::geometry::project::Projection;
 use crate::raster::corners::Corners;
 use crate::raster::setup::PixelRect;
@@ -54,6 +54,8 @@ pub(crate) struct Segment {
 pub(crate) enum SegmentKind {
     /// Visibility first, shading when all of the batch is in.
     Deferred(Compare),
+    /// Visibility alone: no colour is written.
+    DepthOnly(Compare),
     /// Fragment by fragment, in order, with this run's shader.
     Ordered { run: usize },
 }
@@ -169,13 +171,7 @@ impl<'p> Batch<'p> {
         let viewport = state.viewport.unwrap_or(Viewport::whole(width, height));
         let rect = viewport_rect(&viewport, width, height);
         let whole = PixelRect { x0: 0, y0: 0, x1: width as i32, y1: height as i32 };
-        // Only what writes depth may wait: else the visibility buffer would not know the depth of what it shows.
-        let can_wait = state.blend == Blend::Opaque && state.depth.write && !call.discards();
-        let kind = if can_wait {
-            SegmentKind::Deferred(state.depth.compare)
-        } else {
-            SegmentKind::Ordered { run: self.runs.len() }
-        };
+        let kind = kind(state, call.discards(), self.runs.len());
         let segment = Segment { kind, rect: Some(rect).filter(|&rect| rect != whole) };
         if self.segments.last() != Some(&segment) {
             self.segments.push(segment);
@@ -204,6 +200,18 @@ impl<'p> Batch<'p> {
     #[inline(always)]
     pub(crate) fn run_of(&self, number: usize) -> usize {
         self.runs.partition_point(|run| run.first_number <= number).saturating_sub(1)
+    }
+}
+
+/// How run `run` becomes pixels.
+fn kind(state: &DrawState, discards: bool, run: usize) -> SegmentKind {
+    let DepthState { compare, write } = state.depth;
+    // Only what leaves its depth behind may wait: else the visibility buffer would not know the depth of what it shows.
+    let leaves_depth = write || compare == Compare::Equal;
+    match state.color_mask {
+        ColorMask::NONE if leaves_depth && !discards => SegmentKind::DepthOnly(compare),
+        ColorMask::ALL if leaves_depth && !discards && state.blend.replaces() => SegmentKind::Deferred(compare),
+        _ => SegmentKind::Ordered { run },
     }
 }
 

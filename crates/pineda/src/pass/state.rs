@@ -1,12 +1,14 @@
 //! The fixed-function settings of a draw: plain structs with defaults.
 
+use super::{Blend, ColorMask};
+
 /// Everything about a draw that is not its shader or its mesh.
 ///
 /// ```
 /// use pineda::{Cull, DrawState};
 /// let state = DrawState { cull: Cull::Back, ..DrawState::default() };
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Default)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DrawState {
     /// The space that the vertex stage's positions are in.
     pub space: Space,
@@ -18,8 +20,29 @@ pub struct DrawState {
     pub depth: DepthState,
     /// How the fragment's colour meets the target's.
     pub blend: Blend,
+    /// Which channels of the target are written.
+    pub color_mask: ColorMask,
     /// The part of the target that is drawn to; all of it when `None`.
     pub viewport: Option<Viewport>,
+}
+
+impl DrawState {
+    /// What [`DrawState::default`] returns, for constants.
+    pub const DEFAULT: Self = Self {
+        space: Space::Clip,
+        cull: Cull::None,
+        front_face: FrontFace::CounterClockwise,
+        depth: DepthState { compare: Compare::Less, write: true },
+        blend: Blend::OPAQUE,
+        color_mask: ColorMask::ALL,
+        viewport: None,
+    };
+}
+
+impl Default for DrawState {
+    fn default() -> Self {
+        Self::DEFAULT
+    }
 }
 
 /// The space of the positions that a vertex stage returns.
@@ -125,18 +148,6 @@ impl Compare {
             Self::Always => [true, true, true],
         }
     }
-}
-
-/// How a fragment's colour meets the target's, in linear light.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
-pub enum Blend {
-    /// It replaces it.
-    #[default]
-    Opaque,
-    /// Porter and Duff's "over" with straight alpha: `c = s.c s.a + d.c (1 - s.a)`, `a = s.a + d.a (1 - s.a)`.
-    SourceOver,
-    /// "Over" with colours that are already multiplied by their alpha: `c = s.c + d.c (1 - s.a)`, alpha likewise.
-    PremultipliedSourceOver,
 }
 
 /// The rectangle of the target that clip space's square maps to, and the range that depth maps to.

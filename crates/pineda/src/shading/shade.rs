@@ -5,6 +5,7 @@ use super::distinct::{Distinct, Fragments};
 use super::interpolate::{Last, interpolate};
 use super::packet::{BATCH, PacketBatch, PacketState, VaryingLayout};
 use super::run::RunView;
+use crate::pass::ColorMask;
 use crate::pass::draw_call::DrawCall;
 use crate::target::format::{Channels, TileColor};
 use crate::tile::Tile;
@@ -71,7 +72,7 @@ pub(crate) fn shade_visible<S: Simd>(s: S, shading: &mut Shading<'_>, packets: &
         while i < shading.batch.len() {
             let packet = &shading.batch.packets()[i];
             let alive = mask32x16::from_bitmask(s, u64::from(packet.alive));
-            shading.color.store(s, packet.block as usize, alive, channels(s, packet));
+            shading.color.store(s, packet.block as usize, alive, channels(s, packet), ColorMask::ALL);
             i += 1;
         }
         first = end;
@@ -159,6 +160,7 @@ fn fragments(packet: &PacketState) -> Fragments<'_> {
 #[inline(always)]
 fn merge<S: Simd>(s: S, shading: &mut Shading<'_>) {
     let state = shading.call.state();
+    let (replaces, is_unorm) = (state.blend.replaces(), shading.color.format.is_unorm());
     let mut i = 0;
     while i < shading.batch.len() {
         let packet = &shading.batch.packets()[i];
@@ -168,8 +170,11 @@ fn merge<S: Simd>(s: S, shading: &mut Shading<'_>) {
             let there = &mut shading.tile.depth[block];
             *there = alive.select(i32x16::simd_from(s, packet.depth), i32x16::simd_from(s, *there)).into();
         }
-        let color = blend(s, state.blend, channels(s, packet), shading.color.load(s, block));
-        shading.color.store(s, block, alive, color);
+        let mut color = channels(s, packet);
+        if !replaces {
+            color = blend(s, &state.blend, is_unorm, color, shading.color.load(s, block));
+        }
+        shading.color.store(s, block, alive, color, state.color_mask);
         if let Some(shown) = shading.tile.shown.get_mut(block) {
             *shown = alive.select(u32x16::simd_from(s, packet.ids), u32x16::simd_from(s, *shown)).into();
         }

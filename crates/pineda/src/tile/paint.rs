@@ -106,14 +106,22 @@ impl Painter {
                 }
                 match segment.kind {
                     SegmentKind::Deferred(compare) => {
-                        self.resolve_visibility(painting, share, entries, &view, segment, compare);
+                        let wants_ids = painting.wants.ids || painting.wants.color != ColorFormat::None;
+                        self.resolve_visibility(painting, share, entries, &view, segment, compare, wants_ids);
                         has_visible = true;
+                    }
+                    SegmentKind::DepthOnly(compare) => {
+                        if std::mem::take(&mut has_visible) {
+                            self.shade_visible(painting, &view);
+                            self.forget_visible();
+                        }
+                        self.resolve_visibility(painting, share, entries, &view, segment, compare, painting.wants.ids);
+                        self.forget_visible();
                     }
                     SegmentKind::Ordered { run } => {
                         if std::mem::take(&mut has_visible) {
                             self.shade_visible(painting, &view);
-                            self.keep_shown();
-                            self.tile.id.fill([0; 16]);
+                            self.forget_visible();
                         }
                         self.draw_in_order(painting, share, entries, &view, segment, run);
                     }
@@ -166,9 +174,9 @@ impl Painter {
         view: &TileView,
         segment: &Segment,
         compare: Compare,
+        wants_ids: bool,
     ) {
         let (tile, rect) = (&mut self.tile, segment.rect.as_ref());
-        let wants_ids = painting.wants.ids || painting.wants.color != ColorFormat::None;
         dispatch!(painting.level, s => match (compare, wants_ids) {
             (Compare::Less, true) => visibility::<_, true>(s, share, entries, view, rect, tile),
             (Compare::Less, false) => visibility::<_, false>(s, share, entries, view, rect, tile),
@@ -201,6 +209,12 @@ impl Painter {
             };
             dispatch!(painting.level, s => shade_visible(s, &mut shading, packets));
         }
+    }
+
+    /// Empties the visibility buffer, after noting what it showed.
+    fn forget_visible(&mut self) {
+        self.keep_shown();
+        self.tile.id.fill([0; 16]);
     }
 
     /// Notes what was shaded, if the target asks for it.

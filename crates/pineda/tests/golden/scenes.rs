@@ -52,14 +52,7 @@ impl Layer {
 const WIDTH: u32 = 317;
 const HEIGHT: u32 = 203;
 const SIZE: [f32; 2] = [WIDTH as f32, HEIGHT as f32];
-const RASTER: DrawState = DrawState {
-    space: Space::Raster,
-    cull: Cull::None,
-    front_face: FrontFace::CounterClockwise,
-    depth: DepthState { compare: Compare::Less, write: true },
-    blend: Blend::Opaque,
-    viewport: None,
-};
+const RASTER: DrawState = DrawState { space: Space::Raster, ..DrawState::DEFAULT };
 const IDENTITY: Mat4 = Mat4::IDENTITY;
 
 /// Every scene.
@@ -84,6 +77,8 @@ pub(crate) fn all() -> Vec<Scene> {
         scene("flat_and_noperspective", vec![stripes()]),
         scene("holes", holes()),
         Scene { format: Format::Srgb, ..scene("srgb_gradients", gradients()) },
+        Scene { format: Format::Srgb, ..scene("blend_factors", blend_factors()) },
+        Scene { clear: [0.0; 4], ..scene("blend_operations_and_color_masks", blend_operations()) },
     ]
 }
 
@@ -139,8 +134,7 @@ fn near_plane() -> Vec<Layer> {
 }
 
 fn blended_layers() -> Vec<Layer> {
-    let over =
-        DrawState { blend: Blend::SourceOver, depth: DepthState { write: false, ..DepthState::default() }, ..RASTER };
+    let over = DrawState { blend: Blend::ALPHA, depth: DepthState { write: false, ..DepthState::default() }, ..RASTER };
     vec![
         gouraud(soup(5, 12, 60.0, SIZE), RASTER),
         gouraud(soup(6, 150, 25.0, SIZE), over),
@@ -152,7 +146,7 @@ fn blended_layers() -> Vec<Layer> {
 /// Colours from 0 to 8, seen through premultiplied ones.
 fn brightness() -> Vec<Layer> {
     let bright = [[8.0, 0.0, 0.0, 1.0], [0.0, 4.0, 0.0, 1.0], [0.0, 0.0, 2.0, 1.0], [0.5, 0.5, 0.5, 0.0]];
-    let over = DrawState { blend: Blend::PremultipliedSourceOver, depth: DepthState::OFF, ..RASTER };
+    let over = DrawState { blend: Blend::PREMULTIPLIED, depth: DepthState::OFF, ..RASTER };
     vec![gouraud(rectangle([10.3, 9.7, 300.1, 190.9], 0.5, bright), RASTER), gouraud(soup(9, 80, 30.0, SIZE), over)]
 }
 
@@ -177,10 +171,49 @@ fn holes() -> Vec<Layer> {
 fn gradients() -> Vec<Layer> {
     let (black, white) = ([0.0, 0.0, 0.0, 1.0], [1.0; 4]);
     let ([r, g, b], clear) = ([[1.0, 0.0, 0.0, 1.0], [0.0, 1.0, 0.0, 1.0], [0.0, 0.0, 1.0, 1.0]], [0.0; 4]);
-    let over = DrawState { blend: Blend::SourceOver, depth: DepthState::OFF, ..RASTER };
+    let over = DrawState { blend: Blend::ALPHA, depth: DepthState::OFF, ..RASTER };
     vec![
         gouraud(rectangle([0.0, 0.0, 317.0, 60.0], 0.5, [black, white, white, black]), RASTER),
         gouraud(rectangle([0.0, 60.0, 317.0, 203.0], 0.5, [r, g, b, white]), RASTER),
         gouraud(rectangle([40.0, 20.0, 280.0, 180.0], 0.25, [white, clear, black, clear]), over),
     ]
+}
+
+/// Each factor of the source (down) with each of the target (across), added: warm colours over a gradient, alpha from left to right.
+fn blend_factors() -> Vec<Layer> {
+    let (dark, light) = ([0.05, 0.1, 0.3, 0.25], [0.3, 0.8, 0.9, 0.75]);
+    let mut layers = vec![gouraud(rectangle([0.0, 0.0, 317.0, 203.0], 0.5, [dark, light, light, dark]), RASTER)];
+    for (j, source) in BlendFactor::ALL.into_iter().enumerate() {
+        for (i, target) in BlendFactor::ALL.into_iter().enumerate() {
+            let component = BlendComponent { source, operation: BlendOperation::Add, target };
+            let blend = Blend { constant: [0.9, 0.2, 0.5, 0.6], ..Blend::both(component) };
+            layers.push(cell([i, j], [21.0, 13.4], DrawState { blend, depth: DepthState::OFF, ..RASTER }));
+        }
+    }
+    layers
+}
+
+/// Each operation (down) with masks (across): all channels, colour, alpha, red, green, blue, none.
+fn blend_operations() -> Vec<Layer> {
+    let (dark, light) = ([0.1, 0.6, 0.3, 0.25], [0.9, 0.4, 0.5, 1.0]);
+    let mut layers = vec![gouraud(rectangle([0.0, 0.0, 317.0, 203.0], 0.5, [light, light, dark, dark]), RASTER)];
+    let none = ColorMask::NONE;
+    let channels = [ColorMask { r: true, ..none }, ColorMask { g: true, ..none }, ColorMask { b: true, ..none }];
+    let masks = [[ColorMask::ALL, ColorMask::COLOR, ColorMask::ALPHA].as_slice(), &channels, &[none]].concat();
+    for (j, operation) in BlendOperation::ALL.into_iter().enumerate() {
+        for (i, &color_mask) in masks.iter().enumerate() {
+            let (source, target) = (BlendFactor::One, BlendFactor::One);
+            let blend = Blend::both(BlendComponent { source, operation, target });
+            let state = DrawState { blend, color_mask, depth: DepthState::OFF, ..RASTER };
+            layers.push(cell([i, j], [45.0, 40.0], state));
+        }
+    }
+    layers
+}
+
+/// A rectangle of a grid, a little smaller than its cell.
+fn cell([i, j]: [usize; 2], [width, height]: [f32; 2], state: DrawState) -> Layer {
+    let (x, y) = (i as f32 * width + 2.0, j as f32 * height + 1.5);
+    let colors = [[0.9, 0.3, 0.1, 0.1], [0.9, 0.6, 0.2, 0.9], [0.4, 0.5, 0.1, 0.9], [0.5, 0.1, 0.0, 0.1]];
+    gouraud(rectangle([x, y, x + width - 3.0, y + height - 2.5], 0.5, colors), state)
 }

@@ -45,8 +45,9 @@ fn garbage_is_drawn_without_a_panic() {
             cull: random.pick(&[Cull::None, Cull::Front, Cull::Back]),
             front_face: random.pick(&[FrontFace::Clockwise, FrontFace::CounterClockwise]),
             depth: DepthState { compare: random.pick(&Compare::ALL), write: random.one_in(2) },
-            blend: random.pick(&[Blend::Opaque, Blend::SourceOver, Blend::PremultipliedSourceOver]),
+            blend: random.pick(&[Blend::OPAQUE, Blend::ALPHA, Blend::PREMULTIPLIED]),
             viewport,
+            ..DrawState::default()
         };
         let mut pass = Pass::new();
         pass.clear_color = random.one_in(2).then(|| floats(&mut random));

@@ -1,0 +1,4 @@
+//! What happens to a sample after it is covered, against scalar references written from the specifications' formulas.
+
+mod blending;
+mod common;
