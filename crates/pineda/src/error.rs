@@ -60,7 +60,7 @@ pub enum Error {
         /// `vertices` or `triangles`.
         what: &'static str,
     },
-    /// A viewport with a non-finite side, a negative size, or one that is out of range.
+    /// A viewport with a non-finite number, a width that is not positive, a height of 0, or one that is out of range.
     #[error("draw {draw}: the viewport is not usable: {reason}")]
     Viewport {
         /// The draw's number in its pass, from 0.

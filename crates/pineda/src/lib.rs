@@ -95,7 +95,7 @@ mod wide;
 pub use error::Error;
 pub use pass::{
     Blend, BlendComponent, BlendFactor, BlendOperation, ColorMask, Compare, Cull, DepthState, DrawState, FrontFace,
-    Indices, Mesh, Pass, Renderer, Space, Statistics, Viewport,
+    Indices, Mesh, Pass, Renderer, Scissor, Space, Statistics, Viewport,
 };
 pub use settings::{Settings, Simd, TileSize, UnknownSimd};
 pub use target::{ColorBuffer, MAX_SIZE, NO_ID, Target};

@@ -5,7 +5,7 @@
 //! it makes no difference to any bit.
 
 use super::validate::{DrawExtent, smallest_and_largest};
-use super::{ColorMask, Compare, DepthState, DrawState, Indices, Pass, Viewport};
+use super::{ColorMask, Compare, DepthState, DrawState, Indices, Pass, Scissor, Viewport};
 use crate::geometry::project::Projection;
 use crate::raster::corners::Corners;
 use crate::raster::setup::PixelRect;
@@ -169,7 +169,7 @@ impl<'p> Batch<'p> {
         let call = &pass.draws[draw];
         let state = call.state();
         let viewport = state.viewport.unwrap_or(Viewport::whole(width, height));
-        let rect = viewport_rect(&viewport, width, height);
+        let rect = covered_rect(&viewport, state.scissor, width, height);
         let whole = PixelRect { x0: 0, y0: 0, x1: width as i32, y1: height as i32 };
         let kind = kind(state, call.discards(), self.runs.len());
         let segment = Segment { kind, rect: Some(rect).filter(|&rect| rect != whole) };
@@ -215,13 +215,18 @@ fn kind(state: &DrawState, discards: bool, run: usize) -> SegmentKind {
     }
 }
 
-/// The pixels of a viewport that lie in the target.
-fn viewport_rect(viewport: &Viewport, width: u32, height: u32) -> PixelRect {
-    let side = |start: f32, size: f32, limit: u32| {
-        let round = |v: f32| (v.round_ties_even() as i32).clamp(0, limit as i32);
-        (round(start), round(start + size))
+/// The pixels of the target that lie in a viewport and a scissor rectangle.
+fn covered_rect(viewport: &Viewport, scissor: Option<Scissor>, width: u32, height: u32) -> PixelRect {
+    let side = |start: f32, size: f32, scissor: Option<(i32, u32)>, limit: u32| {
+        let limit = i64::from(limit);
+        let round = |v: f32| (v.round_ties_even() as i64).clamp(0, limit);
+        let (a, b) = (round(start), round(start + size));
+        let (first, last) = (a.min(b), a.max(b));
+        let Some((start, size)) = scissor else { return (first as i32, last as i32) };
+        let cut = |v: i64| v.clamp(first, last) as i32;
+        (cut(i64::from(start)), cut(i64::from(start) + i64::from(size)))
     };
-    let (x0, x1) = side(viewport.x, viewport.width, width);
-    let (y0, y1) = side(viewport.y, viewport.height, height);
+    let (x0, x1) = side(viewport.x, viewport.width, scissor.map(|s| (s.x, s.width)), width);
+    let (y0, y1) = side(viewport.y, viewport.height, scissor.map(|s| (s.y, s.height)), height);
     PixelRect { x0, y0, x1, y1 }
 }

@@ -78,6 +78,7 @@ pub(crate) fn all() -> Vec<Scene> {
         scene("holes", holes()),
         Scene { format: Format::Srgb, ..scene("srgb_gradients", gradients()) },
         Scene { format: Format::Srgb, ..scene("blend_factors", blend_factors()) },
+        Scene { format: Format::Srgb, ..scene("scissors_and_upside_down_viewports", windows()) },
         Scene { clear: [0.0; 4], ..scene("blend_operations_and_color_masks", blend_operations()) },
     ]
 }
@@ -216,4 +217,22 @@ fn cell([i, j]: [usize; 2], [width, height]: [f32; 2], state: DrawState) -> Laye
     let (x, y) = (i as f32 * width + 2.0, j as f32 * height + 1.5);
     let colors = [[0.9, 0.3, 0.1, 0.1], [0.9, 0.6, 0.2, 0.9], [0.4, 0.5, 0.1, 0.9], [0.5, 0.1, 0.0, 0.1]];
     gouraud(rectangle([x, y, x + width - 3.0, y + height - 2.5], 0.5, colors), state)
+}
+
+/// A knot through four scissor rectangles, one of which hangs over the border; beside it one upside down, whose front is its back, and
+/// one in a viewport that is mostly elsewhere.
+fn windows() -> Vec<Layer> {
+    let scissors = [[7, 11, 60, 81], [70, 30, 51, 43], [69, 77, 40, 120], [-20, 101, 66, 500]];
+    let scissored = scissors.map(|[x, y, width, height]| {
+        let scissor = Some(Scissor { x, y, width: width as u32, height: height as u32 });
+        let mut layer = lit_knot(Some(Viewport { width: 130.0, ..Viewport::whole(WIDTH, HEIGHT) }));
+        layer.state.scissor = scissor;
+        layer
+    });
+    let mut flipped =
+        lit_knot(Some(Viewport { x: 130.0, y: 150.5, width: 100.0, height: -120.25, ..Viewport::whole(1, 1) }));
+    flipped.state.front_face = FrontFace::CounterClockwise;
+    let elsewhere =
+        lit_knot(Some(Viewport { x: 180.0, y: -90.0, width: 400.0, height: 220.0, ..Viewport::whole(1, 1) }));
+    scissored.into_iter().chain([flipped, elsewhere]).collect()
 }

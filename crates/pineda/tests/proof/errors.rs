@@ -117,8 +117,10 @@ fn viewports_are_usable() {
     let wrong = [
         (Viewport { x: f32::NAN, ..whole }, "all of its numbers must be finite"),
         (Viewport { max_depth: f32::INFINITY, ..whole }, "all of its numbers must be finite"),
-        (Viewport { width: 0.0, ..whole }, "its width and height must be positive"),
-        (Viewport { height: -1.0, ..whole }, "its width and height must be positive"),
+        (Viewport { width: 0.0, ..whole }, "its width must be positive and its height must not be 0"),
+        (Viewport { width: -1.0, ..whole }, "its width must be positive and its height must not be 0"),
+        (Viewport { height: -0.0, ..whole }, "its width must be positive and its height must not be 0"),
+        (Viewport { height: -32_777.0, ..whole }, "it must lie within 32,768 pixels of the target's corner"),
         (Viewport { x: -32_769.0, ..whole }, "it must lie within 32,768 pixels of the target's corner"),
         (Viewport { height: 1e30, ..whole }, "it must lie within 32,768 pixels of the target's corner"),
         (Viewport { min_depth: -0.1, ..whole }, "its depths must lie in 0 to 1"),

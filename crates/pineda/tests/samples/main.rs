@@ -2,3 +2,4 @@
 
 mod blending;
 mod common;
+mod windows;
