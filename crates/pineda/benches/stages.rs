@@ -4,7 +4,9 @@ mod common;
 
 use common::{BlinnPhong, EYE, Gouraud, HEIGHT, Scene, Vertex, WIDTH, knot, micro};
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
-use pineda::{Blend, ColorBuffer, Cull, DrawState, Indices, Mat4, Mesh, Pass, Renderer, Settings, Shader, Target};
+use pineda::{
+    Blend, ColorBuffer, Cull, DepthBuffer, DrawState, Indices, Mat4, Mesh, Pass, Renderer, Settings, Shader, Target,
+};
 
 /// What is drawn to.
 #[derive(Clone, Copy)]
@@ -40,7 +42,7 @@ fn bench<Sh: Shader<Vertex = Vertex>>(
             match output {
                 Output::Color => target.color = ColorBuffer::Rgba8(&mut pixels),
                 Output::Srgb => target.color = ColorBuffer::Rgba8Srgb(&mut pixels),
-                Output::Depth => target.depth = Some(&mut depth),
+                Output::Depth => target.depth = DepthBuffer::D32F(&mut depth),
                 Output::Ids => {
                     target.triangle_ids = Some(&mut ids);
                     target.barycentrics = Some(&mut barycentrics);

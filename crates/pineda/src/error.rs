@@ -68,6 +68,14 @@ pub enum Error {
         /// What is wrong with it.
         reason: &'static str,
     },
+    /// A depth bias with a number that is NaN or infinite.
+    #[error("draw {draw}: the depth bias has a {field} that is not finite")]
+    DepthBias {
+        /// The draw's number in its pass, from 0.
+        draw: usize,
+        /// The field of [`DepthBias`](crate::DepthBias).
+        field: &'static str,
+    },
     /// The SIMD level was named, and this CPU or build does not have it.
     #[error("this machine has no {asked}; it has {}", list(.available))]
     SimdUnavailable {

@@ -10,7 +10,7 @@ mod validate;
 
 pub use blend::{Blend, BlendComponent, BlendFactor, BlendOperation, ColorMask};
 pub use render::Renderer;
-pub use state::{Compare, Cull, DepthState, DrawState, FrontFace, Scissor, Space, Viewport};
+pub use state::{Compare, Cull, DepthBias, DepthState, DrawState, FrontFace, Scissor, Space, Viewport};
 pub use statistics::Statistics;
 
 use crate::lanes::Scalar;

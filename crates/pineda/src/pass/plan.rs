@@ -45,17 +45,39 @@ pub(crate) struct Run<'p> {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Segment {
     pub(crate) kind: SegmentKind,
+    pub(crate) depth: DepthRule,
     /// What can be covered, if that is not the whole target.
     pub(crate) rect: Option<PixelRect>,
+}
+
+/// How depths are compared, and what they are clamped to before: the viewport's range, as bits.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct DepthRule {
+    pub(crate) compare: Compare,
+    pub(crate) low: i32,
+    pub(crate) high: i32,
+}
+
+impl DepthRule {
+    fn new(compare: Compare, viewport: &Viewport) -> Self {
+        // Adding 0 makes 0 of -0.
+        let [a, b] = [viewport.min_depth, viewport.max_depth].map(|z| (z + 0.0).to_bits() as i32);
+        Self { compare, low: a.min(b), high: a.max(b) }
+    }
+
+    /// Whether it is the usual one: [`Compare::Less`] over all depths.
+    pub(crate) fn is_usual(&self) -> bool {
+        *self == Self { compare: Compare::Less, low: 0, high: 1.0f32.to_bits() as i32 }
+    }
 }
 
 /// How a segment's triangles become pixels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum SegmentKind {
     /// Visibility first, shading when all of the batch is in.
-    Deferred(Compare),
+    Deferred,
     /// Visibility alone: no colour is written.
-    DepthOnly(Compare),
+    DepthOnly,
     /// Fragment by fragment, in order, with this run's shader.
     Ordered { run: usize },
 }
@@ -172,7 +194,8 @@ impl<'p> Batch<'p> {
         let rect = covered_rect(&viewport, state.scissor, width, height);
         let whole = PixelRect { x0: 0, y0: 0, x1: width as i32, y1: height as i32 };
         let kind = kind(state, call.discards(), self.runs.len());
-        let segment = Segment { kind, rect: Some(rect).filter(|&rect| rect != whole) };
+        let depth = DepthRule::new(state.depth.compare, &viewport);
+        let segment = Segment { kind, depth, rect: Some(rect).filter(|&rect| rect != whole) };
         if self.segments.last() != Some(&segment) {
             self.segments.push(segment);
         }
@@ -188,7 +211,7 @@ impl<'p> Batch<'p> {
             source: piece.source,
             screen,
             records,
-            projection: Projection::new(state.space, &viewport),
+            projection: Projection::new(state.space, &viewport).with_depth_clamp(state.depth_clamp),
             rect,
             segment: self.segments.len() - 1,
         });
@@ -209,8 +232,8 @@ fn kind(state: &DrawState, discards: bool, run: usize) -> SegmentKind {
     // Only what leaves its depth behind may wait: else the visibility buffer would not know the depth of what it shows.
     let leaves_depth = write || compare == Compare::Equal;
     match state.color_mask {
-        ColorMask::NONE if leaves_depth && !discards => SegmentKind::DepthOnly(compare),
-        ColorMask::ALL if leaves_depth && !discards && state.blend.replaces() => SegmentKind::Deferred(compare),
+        ColorMask::NONE if leaves_depth && !discards => SegmentKind::DepthOnly,
+        ColorMask::ALL if leaves_depth && !discards && state.blend.replaces() => SegmentKind::Deferred,
         _ => SegmentKind::Ordered { run },
     }
 }

@@ -6,9 +6,11 @@ use super::validate::validate;
 use super::{Cull, FrontFace, Pass, Statistics};
 use crate::geometry::raster_space::ScreenVertex;
 use crate::raster::bins::{Share, TileGrid};
+use crate::raster::depth_bias::Bias;
 use crate::raster::setup::{SetupState, setup};
 use crate::shading::run::RunView;
 use crate::target::bands::Bands;
+use crate::target::depth::{DepthBuffer, DepthFormat, loaded_depth};
 use crate::target::format::ColorFormat;
 use crate::tile::paint::{Painter, Painting, Start, Wants};
 use crate::tile::queue::TileQueue;
@@ -69,7 +71,7 @@ impl Renderer {
         let mut statistics = Statistics::default();
         for (flush, batch) in batches.iter().enumerate() {
             self.run_vertices(pass, batch);
-            self.set_up(pass, batch, grid);
+            self.set_up(pass, batch, grid, target.depth.format());
             self.paint(pass, batch, grid, &mut target, flush == 0);
             statistics.flushes += 1;
             self.shares.iter().for_each(|share| statistics.add(&share.statistics));
@@ -119,7 +121,7 @@ impl Renderer {
     }
 
     /// Setup and binning: each share takes its stretch of the batch's triangles.
-    fn set_up(&mut self, pass: &Pass<'_>, batch: &Batch<'_>, grid: TileGrid) {
+    fn set_up(&mut self, pass: &Pass<'_>, batch: &Batch<'_>, grid: TileGrid, format: DepthFormat) {
         let count = batch.triangles.div_ceil(LEAST_SHARE).clamp(1, self.threads);
         self.shares.resize_with(count, Share::default);
         let size = batch.triangles.div_ceil(count).next_multiple_of(16);
@@ -137,11 +139,13 @@ impl Renderer {
                 let call = &pass.draws[run.draw];
                 let positions = |places: [usize; 3]| places.map(|place| call.position(run.source.vertex(place)));
                 let (cull_clockwise, cull_counter_clockwise) = culled(call.state().cull, call.state().front_face);
+                let bias = Bias::new(&call.state().depth_bias, format);
                 let state = SetupState {
                     grid,
                     rect: run.rect,
                     cull_clockwise,
                     cull_counter_clockwise,
+                    bias,
                     projection: &run.projection,
                     positions: &positions,
                 };
@@ -159,11 +163,12 @@ impl Renderer {
         let (width, height) = (target.width, target.height);
         let wants = Wants {
             color: ColorFormat::of(target),
-            depth: target.depth.is_some(),
+            depth: !target.depth.is_none(),
             ids: target.triangle_ids.is_some() || target.draw_ids.is_some() || target.barycentrics.is_some(),
             hits: target.hits.is_some(),
         };
-        let clear_depth = pass.clear_depth.map(|z| if z > 0.0 { z.min(1.0) } else { 0.0 });
+        let depth_format = target.depth.format();
+        let clear_depth = pass.clear_depth.map(|z| depth_format.rounded(f32::from_bits(loaded_depth(z) as u32)));
         let painting = Painting {
             level: self.level,
             grid,
@@ -180,6 +185,7 @@ impl Renderer {
                 is_first,
             },
             wants,
+            depth_format,
         };
         let queue = TileQueue::new(&grid);
         let jobs = 0..self.painters.len().min(grid.tile_count());
@@ -217,7 +223,7 @@ fn with_depth<'a>(target: &'a mut Target<'_>, depth: &'a mut [f32], flushes: usi
         width: target.width,
         height: target.height,
         color: target.color.reborrow(),
-        depth: target.depth.as_deref_mut().or(own),
+        depth: own.map_or(target.depth.reborrow(), DepthBuffer::D32F),
         triangle_ids: target.triangle_ids.as_deref_mut(),
         draw_ids: target.draw_ids.as_deref_mut(),
         barycentrics: target.barycentrics.as_deref_mut(),

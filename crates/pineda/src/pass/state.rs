@@ -18,6 +18,11 @@ pub struct DrawState {
     pub front_face: FrontFace,
     /// The depth test.
     pub depth: DepthState,
+    /// By how much depths are moved before they are tested.
+    pub depth_bias: DepthBias,
+    /// Whether what lies before the near plane or beyond the far one is drawn, with the nearest or farthest depth of the viewport, instead of
+    /// being clipped. What lies behind the eye is clipped nevertheless.
+    pub depth_clamp: bool,
     /// How the fragment's colour meets the target's.
     pub blend: Blend,
     /// Which channels of the target are written.
@@ -35,6 +40,8 @@ impl DrawState {
         cull: Cull::None,
         front_face: FrontFace::CounterClockwise,
         depth: DepthState { compare: Compare::Less, write: true },
+        depth_bias: DepthBias::NONE,
+        depth_clamp: false,
         blend: Blend::OPAQUE,
         color_mask: ColorMask::ALL,
         viewport: None,
@@ -100,6 +107,41 @@ impl DepthState {
 impl Default for DepthState {
     fn default() -> Self {
         Self { compare: Compare::Less, write: true }
+    }
+}
+
+/// Moves a triangle's depths, so that a decal does not fight with what it lies on, or a shadow map with what casts the shadow:
+///
+/// ```text
+/// offset = constant * 2^(exponent(max |z|) - 23) + slope * max(|dz/dx|, |dz/dy|)
+/// ```
+///
+/// limited to `clamp` if that is not 0: from above if it is positive, from below if it is negative. The exponent is the one of the largest depth in the
+/// triangle; on unorm depth buffers the power of two is the step from one code to the next instead. Depths are in the target's range, slopes a pixel.
+/// The sum is clamped to the viewport's range of depths.
+///
+/// ```
+/// use pineda::{DepthBias, DrawState};
+/// // Towards the eye, by two units and twice the slope.
+/// let decal = DrawState { depth_bias: DepthBias { constant: -2.0, slope: -2.0, clamp: 0.0 }, ..DrawState::default() };
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub struct DepthBias {
+    /// In units of the depth's last place. Finite.
+    pub constant: f32,
+    /// In slopes of the triangle. Finite.
+    pub slope: f32,
+    /// What the offset may not exceed; 0 for no such limit. Finite.
+    pub clamp: f32,
+}
+
+impl DepthBias {
+    /// Depths stay as they are.
+    pub const NONE: Self = Self { constant: 0.0, slope: 0.0, clamp: 0.0 };
+
+    pub(crate) fn validate(&self) -> Result<(), &'static str> {
+        let all = [("constant", self.constant), ("slope", self.slope), ("clamp", self.clamp)];
+        all.into_iter().find(|(_, value)| !value.is_finite()).map_or(Ok(()), |(field, _)| Err(field))
     }
 }
 

@@ -25,6 +25,7 @@ pub(crate) fn validate(pass: &Pass<'_>, level: Level, threads: usize) -> Result<
         if let Some(viewport) = call.state().viewport {
             viewport.validate().map_err(|reason| Error::Viewport { draw, reason })?;
         }
+        call.state().depth_bias.validate().map_err(|field| Error::DepthBias { draw, field })?;
         let vertices = call.vertex_count();
         let (count, what) = match call.indices() {
             Indices::Sequential => (vertices, "vertices"),

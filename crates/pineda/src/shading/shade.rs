@@ -9,7 +9,6 @@ use crate::pass::ColorMask;
 use crate::pass::draw_call::DrawCall;
 use crate::target::format::{Channels, TileColor};
 use crate::tile::Tile;
-use crate::tile::sink::{AnyCompare, DepthTest};
 use crate::tile::view::{BlockLanes, TileView};
 use crate::wide::{Simd, f32x16, i32x16, mask32x16, u32x16};
 use fearless_simd::Level;
@@ -97,8 +96,9 @@ pub(crate) fn shade_in_order<S: Simd>(s: S, shading: &mut Shading<'_>, packets: 
             }
             let there = i32x16::simd_from(s, shading.tile.depth[packet.block as usize]);
             let covered = mask32x16::from_bitmask(s, u64::from(packet.mask));
-            let test = AnyCompare(shading.call.state().depth.compare);
-            let mask = (covered & test.passes(s, i32x16::simd_from(s, packet.depth), there)).to_bitmask() as u32;
+            let compare = shading.call.state().depth.compare;
+            let passes = compare.passes(s, i32x16::simd_from(s, packet.depth), there);
+            let mask = (covered & passes).to_bitmask() as u32;
             if mask != 0 {
                 let (x, y) = shading.view.pixel_of(packet.block as usize);
                 let new = shading.batch.add();

@@ -6,8 +6,9 @@ use crate::raster::triangle_id::{ORDERS, TriangleId};
 use crate::shading::run::RunView;
 use crate::shading::weights::{Weights, of_clipped, of_triangle};
 use crate::target::bands::TileRows;
+use crate::target::depth::loaded_depth;
 use crate::target::format::one_nan;
-use crate::target::{ColorBuffer, NO_ID};
+use crate::target::{ColorBuffer, DepthBuffer, NO_ID};
 use crate::wide::{Simd, dispatch};
 
 /// Loads what the tile does not clear.
@@ -38,15 +39,17 @@ pub(crate) fn load(painter: &mut Painter, painting: &Painting<'_>, view: &TileVi
             }
         }
     }
-    if let Some(depth) = band.depth.as_deref_mut().filter(|_| loads_depth) {
-        rows.load(depth, &mut painter.tile.depth, block, loaded_depth);
-        painter.tile.bound(1.0);
+    if loads_depth {
+        let (format, tile) = (painting.depth_format, &mut painter.tile);
+        let decode = |code: u32| format.decoded(code).to_bits() as i32;
+        match &mut band.depth {
+            DepthBuffer::None => {}
+            DepthBuffer::D32F(depth) => rows.load(depth, &mut tile.depth, block, loaded_depth),
+            DepthBuffer::D24(depth) => rows.load(depth, &mut tile.depth, block, decode),
+            DepthBuffer::D16(depth) => rows.load(depth, &mut tile.depth, block, |code| decode(code.into())),
+        }
+        tile.unbound(true, true);
     }
-}
-
-/// A depth of the target's, as bits. They are compared as integers, which is right for 0 to 1 only. NaN becomes 0.
-fn loaded_depth(z: f32) -> i32 {
-    if z > 0.0 { z.min(1.0).to_bits() as i32 } else { 0 }
 }
 
 /// Clears what a tile without triangles covers.
@@ -61,11 +64,15 @@ pub(crate) fn clear(painting: &Painting<'_>, view: &TileView, row: usize) {
         (ColorBuffer::Rgba32F(pixels), Some(color)) => rows.fill(pixels, color),
         _ => {}
     }
-    match (band.depth.as_deref_mut(), depth) {
-        (Some(buffer), Some(depth)) => rows.fill(buffer, depth),
+    let code = depth.map(|z| painting.depth_format.code(z));
+    match (&mut band.depth, depth, code) {
+        (DepthBuffer::D32F(buffer), Some(depth), _) => rows.fill(buffer, depth),
+        (DepthBuffer::D24(buffer), _, Some(code)) => rows.fill(buffer, code),
+        (DepthBuffer::D16(buffer), _, Some(code)) => rows.fill(buffer, code as u16),
         // As if it had been loaded and stored.
-        (Some(buffer), None) => rows.update(buffer, |z| f32::from_bits(loaded_depth(z) as u32)),
-        (None, _) => {}
+        (DepthBuffer::D32F(buffer), None, _) => rows.update(buffer, |z| f32::from_bits(loaded_depth(z) as u32)),
+        (DepthBuffer::D24(buffer), ..) => rows.update(buffer, |code| code & 0xff_ffff),
+        (DepthBuffer::D16(_) | DepthBuffer::None, ..) => {}
     }
     if is_first {
         for ids in [&mut band.triangle_ids, &mut band.draw_ids].into_iter().flatten() {
@@ -107,8 +114,13 @@ pub(crate) fn store(painter: &mut Painter, painting: &Painting<'_>, view: &TileV
             });
         }
     }
-    if let Some(depth) = band.depth.as_deref_mut() {
-        rows.store(depth, &painter.tile.depth, block, |bits| f32::from_bits(bits as u32));
+    let depths = &painter.tile.depth;
+    let code = |bits: i32| painting.depth_format.code(f32::from_bits(bits as u32));
+    match &mut band.depth {
+        DepthBuffer::None => {}
+        DepthBuffer::D32F(depth) => rows.store(depth, depths, block, |bits| f32::from_bits(bits as u32)),
+        DepthBuffer::D24(depth) => rows.store(depth, depths, block, code),
+        DepthBuffer::D16(depth) => rows.store(depth, depths, block, |bits| code(bits) as u16),
     }
     let (shown, is_first) = (&painter.tile.shown, painting.start.is_first);
     if let Some(ids) = band.triangle_ids.as_deref_mut() {

@@ -9,7 +9,7 @@ mod looks;
 mod scenes;
 mod shapes;
 
-use pineda::{ColorBuffer, Pass, Renderer, Settings, Simd, Target, TileSize};
+use pineda::{ColorBuffer, DepthBuffer, Pass, Renderer, Settings, Simd, Target, TileSize};
 use scenes::{Format, Scene};
 use std::fmt::Write as _;
 use std::path::Path;
@@ -80,13 +80,18 @@ impl Frame {
         pass.clear_color = Some(scene.clear);
         pass.clear_depth = Some(scene.clear_depth);
         scene.layers.iter().for_each(|layer| layer.draw(&mut pass));
+        let (mut d16, mut d24) = (vec![0u16; pixels], vec![0u32; pixels]);
         let mut target = Target {
             color: match scene.format {
                 Format::Linear => ColorBuffer::Rgba8(&mut frame.bytes),
                 Format::Srgb => ColorBuffer::Rgba8Srgb(&mut frame.bytes),
                 Format::Float => ColorBuffer::Rgba32F(&mut frame.float),
             },
-            depth: Some(&mut frame.depth),
+            depth: match scene.depth_bits {
+                16 => DepthBuffer::D16(&mut d16),
+                24 => DepthBuffer::D24(&mut d24),
+                _ => DepthBuffer::D32F(&mut frame.depth),
+            },
             triangle_ids: Some(&mut frame.triangle_ids),
             draw_ids: Some(&mut frame.draw_ids),
             barycentrics: Some(&mut frame.barycentrics),
@@ -95,6 +100,12 @@ impl Frame {
         };
         let mut renderer = Renderer::new(settings).expect("an available level");
         renderer.render(&pass, &mut target).expect("a valid scene");
+        // All codes are f32s, too.
+        match scene.depth_bits {
+            16 => frame.depth = d16.into_iter().map(f32::from).collect(),
+            24 => frame.depth = d24.into_iter().map(|code| code as f32).collect(),
+            _ => {}
+        }
         frame
     }
 

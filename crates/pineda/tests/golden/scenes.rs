@@ -20,6 +20,8 @@ pub(crate) struct Scene {
     pub(crate) format: Format,
     pub(crate) clear: [f32; 4],
     pub(crate) clear_depth: f32,
+    /// Of the depth buffer: 16, 24 or 32.
+    pub(crate) depth_bits: u32,
     pub(crate) layers: Vec<Layer>,
 }
 
@@ -79,13 +81,25 @@ pub(crate) fn all() -> Vec<Scene> {
         Scene { format: Format::Srgb, ..scene("srgb_gradients", gradients()) },
         Scene { format: Format::Srgb, ..scene("blend_factors", blend_factors()) },
         Scene { format: Format::Srgb, ..scene("scissors_and_upside_down_viewports", windows()) },
+        Scene { depth_bits: 24, format: Format::Srgb, ..scene("depth_bias", decals()) },
+        Scene { format: Format::Srgb, ..scene("depth_clamp", clamped()) },
+        Scene { depth_bits: 16, clear_depth: 0.0, ..scene("depth_of_16_bits_reversed", steps()) },
         Scene { clear: [0.0; 4], ..scene("blend_operations_and_color_masks", blend_operations()) },
     ]
 }
 
 fn scene(name: &'static str, layers: Vec<Layer>) -> Scene {
     let clear = [0.0, 0.0, 0.0, 1.0];
-    Scene { name, width: WIDTH, height: HEIGHT, format: Format::Linear, clear, clear_depth: 1.0, layers }
+    Scene {
+        name,
+        width: WIDTH,
+        height: HEIGHT,
+        format: Format::Linear,
+        clear,
+        clear_depth: 1.0,
+        depth_bits: 32,
+        layers,
+    }
 }
 
 fn gouraud(shape: Shape, state: DrawState) -> Layer {
@@ -235,4 +249,56 @@ fn windows() -> Vec<Layer> {
     let elsewhere =
         lit_knot(Some(Viewport { x: 180.0, y: -90.0, width: 400.0, height: 220.0, ..Viewport::whole(1, 1) }));
     scissored.into_iter().chain([flipped, elsewhere]).collect()
+}
+
+/// Tilted squares on a floor that they lie in: without a bias, with a constant one that is too small, with one by the slope, and with one away from the eye.
+fn decals() -> Vec<Layer> {
+    let camera = camera([1.0, 2.5, 7.0], [0.0, 0.0, 1.0]);
+    let floor = Layer { shape: ground(6.0, 12), look: Look::Gouraud(Gouraud { camera }), state: DrawState::default() };
+    let biases = [[0.0, 0.0], [-16.0, 0.0], [0.0, -1.0], [4.0, 4.0]];
+    let decal = |(k, [constant, slope]): (usize, [f32; 2])| {
+        let mut shape = ground(0.8, 9);
+        for vertex in &mut shape.vertices {
+            let [x, _, z, _] = vertex.position;
+            vertex.position = [0.9 * x - 0.4 * z + k as f32 * 1.9 - 2.2, 0.0, 0.4 * x + 0.9 * z + 2.0, 1.0];
+            vertex.color = [1.0, 0.6, 0.1, 1.0];
+        }
+        let state = DrawState { depth_bias: DepthBias { constant, slope, clamp: 0.0 }, ..DrawState::default() };
+        Layer { shape, look: Look::Gouraud(Gouraud { camera }), state }
+    };
+    [floor].into_iter().chain(biases.into_iter().enumerate().map(decal)).collect()
+}
+
+/// A knot that sticks out of the view volume before the near and beyond the far plane: clipped on the left, clamped on the right.
+fn clamped() -> Vec<Layer> {
+    let half = |x: f32, depth_clamp: bool| {
+        let mut layer = lit_knot(Some(Viewport { x, width: WIDTH as f32 / 2.0, ..Viewport::whole(WIDTH, HEIGHT) }));
+        let eye = [2.0, 3.0, 8.5];
+        let view =
+            Mat4::perspective(0.7, SIZE[0] / 2.0 / SIZE[1], 8.0, 10.0) * Mat4::look_at(eye, [0.0; 3], [0.0, 1.0, 0.0]);
+        layer.look = Look::BlinnPhong(BlinnPhong { camera: view, eye, light: [0.36, 0.48, 0.8] });
+        layer.state.cull = Cull::None;
+        layer.state.depth_clamp = depth_clamp;
+        layer
+    };
+    vec![half(0.0, false), half(WIDTH as f32 / 2.0, true)]
+}
+
+/// Two planes that cross at so small an angle that a depth of 16 bits makes steps of the line between them; 1 is near.
+fn steps() -> Vec<Layer> {
+    let state = DrawState { depth: DepthState { compare: Compare::Greater, write: true }, ..RASTER };
+    let plane = |color: [f32; 4], [left, right]: [f32; 2], [top, bottom]: [f32; 2]| {
+        let mut shape = rectangle([4.0, 4.0, 313.0, 199.0], 0.0, [color; 4]);
+        let depths = [left + top, right + top, right + bottom, left + bottom];
+        shape.vertices.iter_mut().zip(depths).for_each(|(vertex, z)| vertex.position[2] = z);
+        gouraud(shape, state)
+    };
+    vec![
+        plane([0.9, 0.5, 0.1, 1.0], [0.5, 0.5003], [0.0, 0.0001]),
+        plane([0.1, 0.4, 0.7, 1.0], [0.5003, 0.5], [0.0002, 0.0]),
+        gouraud(
+            soup(31, 40, 20.0, SIZE),
+            DrawState { depth_bias: DepthBias { constant: -32_768.0, ..DepthBias::NONE }, ..state },
+        ),
+    ]
 }

@@ -22,7 +22,7 @@ fn error_of(indices: Indices<'_>, corners: &[[f32; 4]], viewport: Option<Viewpor
     let (mut draws, mut barycentrics, mut hits) = ([6; 64], [[0.5; 3]; 64], [8; 64]);
     let mut target = Target {
         color: ColorBuffer::Rgba8(&mut pixels),
-        depth: Some(&mut depth),
+        depth: DepthBuffer::D32F(&mut depth),
         triangle_ids: Some(&mut ids),
         draw_ids: Some(&mut draws),
         barycentrics: Some(&mut barycentrics),
@@ -59,7 +59,7 @@ fn buffers_hold_one_element_a_pixel() {
         ("color", Target { color: ColorBuffer::Rgba8(&mut bytes.clone()), ..plain() }),
         ("color", Target { color: ColorBuffer::Rgba8Srgb(&mut bytes), ..plain() }),
         ("color", Target { color: ColorBuffer::Rgba32F(&mut floats), ..plain() }),
-        ("depth", Target { depth: Some(&mut depth), ..plain() }),
+        ("depth", Target { depth: DepthBuffer::D32F(&mut depth), ..plain() }),
         ("triangle_ids", Target { triangle_ids: Some(&mut ids), ..plain() }),
         ("draw_ids", Target { draw_ids: Some(&mut draws), ..plain() }),
         ("barycentrics", Target { barycentrics: Some(&mut barycentrics), ..plain() }),

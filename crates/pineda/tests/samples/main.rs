@@ -2,4 +2,5 @@
 
 mod blending;
 mod common;
+mod depth;
 mod windows;
