@@ -232,6 +232,7 @@ fn kind(state: &DrawState, discards: bool, run: usize) -> SegmentKind {
     // Only what leaves its depth behind may wait: else the visibility buffer would not know the depth of what it shows.
     let leaves_depth = write || compare == Compare::Equal;
     match state.color_mask {
+        _ if state.stencil.is_some() => SegmentKind::Ordered { run },
         ColorMask::NONE if leaves_depth && !discards => SegmentKind::DepthOnly,
         ColorMask::ALL if leaves_depth && !discards && state.blend.replaces() => SegmentKind::Deferred,
         _ => SegmentKind::Ordered { run },

@@ -30,6 +30,8 @@ pub struct Renderer {
     painters: Vec<Painter>,
     /// The depth between flushes, for targets without a depth buffer.
     depth: Vec<f32>,
+    /// The same of stencil values.
+    stencil: Vec<u8>,
 }
 
 /// Vertices that one job shades.
@@ -53,6 +55,7 @@ impl Renderer {
             shares: Vec::new(),
             painters: Vec::new(),
             depth: Vec::new(),
+            stencil: Vec::new(),
         })
     }
 
@@ -64,10 +67,10 @@ impl Renderer {
         target.validate()?;
         let extents = validate(pass, self.level, self.threads)?;
         let batches = plan(pass, &extents, target.width, target.height, self.settings.memory);
-        self.reserve(&batches, target)?;
+        self.reserve(&batches, target, uses_stencil(pass))?;
         let grid = TileGrid::new(target.width, target.height, self.settings.tile.log2());
-        let mut depth = std::mem::take(&mut self.depth);
-        let mut target = with_depth(target, &mut depth, batches.len());
+        let (mut depth, mut stencil) = (std::mem::take(&mut self.depth), std::mem::take(&mut self.stencil));
+        let mut target = with_own(target, &mut depth, &mut stencil, batches.len());
         let mut statistics = Statistics::default();
         for (flush, batch) in batches.iter().enumerate() {
             self.run_vertices(pass, batch);
@@ -76,18 +79,24 @@ impl Renderer {
             statistics.flushes += 1;
             self.shares.iter().for_each(|share| statistics.add(&share.statistics));
         }
-        self.depth = depth;
+        (self.depth, self.stencil) = (depth, stencil);
         Ok(statistics)
     }
 
     /// Memory for the largest batch, and for each thread's state.
-    fn reserve(&mut self, batches: &[Batch<'_>], target: &Target<'_>) -> Result<(), Error> {
+    fn reserve(&mut self, batches: &[Batch<'_>], target: &Target<'_>, stencil: bool) -> Result<(), Error> {
         let screen = batches.iter().map(|batch| batch.screen_vertices).max().unwrap_or(0);
         let records = batches.iter().map(|batch| batch.record_rows).max().unwrap_or(0);
         grow(&mut self.screen, screen, "projected vertices")?;
         grow(&mut self.records, records, "vertex records")?;
+        let pixels = target.width as usize * target.height as usize;
         if batches.len() > 1 && target.depth.is_none() {
-            grow(&mut self.depth, target.width as usize * target.height as usize, "depth between flushes")?;
+            grow(&mut self.depth, pixels, "depth between flushes")?;
+        }
+        if batches.len() > 1 && target.stencil.is_none() && stencil {
+            grow(&mut self.stencil, pixels, "stencil between flushes")?;
+        } else {
+            self.stencil.clear();
         }
         self.painters.resize_with(self.threads, Painter::new);
         Ok(())
@@ -164,6 +173,7 @@ impl Renderer {
         let wants = Wants {
             color: ColorFormat::of(target),
             depth: !target.depth.is_none(),
+            stencil: target.stencil.is_some() || uses_stencil(pass),
             ids: target.triangle_ids.is_some() || target.draw_ids.is_some() || target.barycentrics.is_some(),
             hits: target.hits.is_some(),
         };
@@ -182,6 +192,7 @@ impl Renderer {
             start: Start {
                 color: pass.clear_color.filter(|_| is_first),
                 depth: clear_depth.filter(|_| is_first),
+                stencil: pass.clear_stencil.filter(|_| is_first),
                 is_first,
             },
             wants,
@@ -215,8 +226,13 @@ fn culled(cull: Cull, front: FrontFace) -> (bool, bool) {
     }
 }
 
-/// The target, with a depth buffer of ours if it has none and there is more than one flush.
-fn with_depth<'a>(target: &'a mut Target<'_>, depth: &'a mut [f32], flushes: usize) -> Target<'a> {
+/// Whether a draw tests stencil values.
+fn uses_stencil(pass: &Pass<'_>) -> bool {
+    pass.draws.iter().any(|call| call.state().stencil.is_some())
+}
+
+/// The target, with a depth buffer of ours if it has none and there is more than one flush; the same for the stencil buffer, if that is used.
+fn with_own<'a>(target: &'a mut Target<'_>, depth: &'a mut [f32], stencil: &'a mut [u8], flushes: usize) -> Target<'a> {
     let pixels = target.width as usize * target.height as usize;
     let own = (flushes > 1 && target.depth.is_none()).then(|| &mut depth[..pixels]);
     Target {
@@ -224,6 +240,7 @@ fn with_depth<'a>(target: &'a mut Target<'_>, depth: &'a mut [f32], flushes: usi
         height: target.height,
         color: target.color.reborrow(),
         depth: own.map_or(target.depth.reborrow(), DepthBuffer::D32F),
+        stencil: target.stencil.as_deref_mut().or(stencil.get_mut(..pixels)),
         triangle_ids: target.triangle_ids.as_deref_mut(),
         draw_ids: target.draw_ids.as_deref_mut(),
         barycentrics: target.barycentrics.as_deref_mut(),

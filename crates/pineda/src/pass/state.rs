@@ -1,6 +1,6 @@
 //! The fixed-function settings of a draw: plain structs with defaults.
 
-use super::{Blend, ColorMask};
+use super::{Blend, ColorMask, StencilState};
 
 /// Everything about a draw that is not its shader or its mesh.
 ///
@@ -23,6 +23,8 @@ pub struct DrawState {
     /// Whether what lies before the near plane or beyond the far one is drawn, with the nearest or farthest depth of the viewport, instead of
     /// being clipped. What lies behind the eye is clipped nevertheless.
     pub depth_clamp: bool,
+    /// The stencil test; `None` for none.
+    pub stencil: Option<StencilState>,
     /// How the fragment's colour meets the target's.
     pub blend: Blend,
     /// Which channels of the target are written.
@@ -42,6 +44,7 @@ impl DrawState {
         depth: DepthState { compare: Compare::Less, write: true },
         depth_bias: DepthBias::NONE,
         depth_clamp: false,
+        stencil: None,
         blend: Blend::OPAQUE,
         color_mask: ColorMask::ALL,
         viewport: None,

@@ -209,6 +209,7 @@ pub(crate) mod interpolate;
 pub(crate) mod packet;
 pub(crate) mod run;
 pub(crate) mod shade;
+pub(crate) mod stencil;
 pub(crate) mod weights;
 
 pub(crate) use fragment::FragParts;

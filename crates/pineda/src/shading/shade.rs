@@ -5,9 +5,11 @@ use super::distinct::{Distinct, Fragments};
 use super::interpolate::{Last, interpolate};
 use super::packet::{BATCH, PacketBatch, PacketState, VaryingLayout};
 use super::run::RunView;
+use super::stencil::Tested;
 use crate::pass::ColorMask;
 use crate::pass::draw_call::DrawCall;
-use crate::target::format::{Channels, TileColor};
+use crate::raster::triangle_id::TriangleId;
+use crate::target::format::{Channels, ColorFormat, TileColor};
 use crate::tile::Tile;
 use crate::tile::view::{BlockLanes, TileView};
 use crate::wide::{Simd, f32x16, i32x16, mask32x16, u32x16};
@@ -84,6 +86,9 @@ pub(crate) fn shade_in_order<S: Simd>(s: S, shading: &mut Shading<'_>, packets: 
     let layout = shading.call.layout();
     let (lanes, mut last) = (BlockLanes::new(s), Last::none(s));
     let mut distinct = [Distinct::NONE; BATCH];
+    let call = shading.call;
+    let (state, discards) = (call.state(), call.discards());
+    let is_shaded = discards || (state.color_mask != ColorMask::NONE && shading.color.format != ColorFormat::None);
     let mut first = 0;
     while first < packets.len() {
         shading.batch.start(&layout, shading.run.front_is_clockwise);
@@ -94,11 +99,23 @@ pub(crate) fn shade_in_order<S: Simd>(s: S, shading: &mut Shading<'_>, packets: 
             if contains(shading.batch, packet.block) {
                 break;
             }
-            let there = i32x16::simd_from(s, shading.tile.depth[packet.block as usize]);
+            let block = packet.block as usize;
             let covered = mask32x16::from_bitmask(s, u64::from(packet.mask));
-            let compare = shading.call.state().depth.compare;
-            let passes = compare.passes(s, i32x16::simd_from(s, packet.depth), there);
-            let mask = (covered & passes).to_bitmask() as u32;
+            let id = TriangleId(packet.id);
+            let tested = Tested::new(s, shading.tile, state, shading.run, id, block, covered, &packet.depth);
+            let mut mask = tested.both;
+            if !discards {
+                tested.update(s, shading.tile, block);
+            } else if tested.failing_counts() {
+                // Whether they do anything is for the fragment stage to say.
+                mask = covered;
+            }
+            let mask = mask.to_bitmask() as u32;
+            if !is_shaded {
+                keep(s, shading.tile, state.depth.write, block, tested.both, &packet.depth, &[packet.id; 16]);
+                next += 1;
+                continue;
+            }
             if mask != 0 {
                 let (x, y) = shading.view.pixel_of(packet.block as usize);
                 let new = shading.batch.add();
@@ -159,26 +176,46 @@ fn fragments(packet: &PacketState) -> Fragments<'_> {
 /// Brings the colours of a batch of ordered packets into the tile.
 #[inline(always)]
 fn merge<S: Simd>(s: S, shading: &mut Shading<'_>) {
-    let state = shading.call.state();
+    let (state, discards) = (shading.call.state(), shading.call.discards());
     let (replaces, is_unorm) = (state.blend.replaces(), shading.color.format.is_unorm());
     let mut i = 0;
     while i < shading.batch.len() {
         let packet = &shading.batch.packets()[i];
         let block = packet.block as usize;
-        let alive = mask32x16::from_bitmask(s, u64::from(packet.alive));
-        if state.depth.write {
-            let there = &mut shading.tile.depth[block];
-            *there = alive.select(i32x16::simd_from(s, packet.depth), i32x16::simd_from(s, *there)).into();
+        let mut alive = mask32x16::from_bitmask(s, u64::from(packet.alive));
+        if discards && state.stencil.is_some() {
+            let id = TriangleId(packet.ids[0]);
+            let tested = Tested::new(s, shading.tile, state, shading.run, id, block, alive, &packet.depth);
+            tested.update(s, shading.tile, block);
+            alive = tested.both;
         }
+        keep(s, shading.tile, state.depth.write, block, alive, &packet.depth, &packet.ids);
         let mut color = channels(s, packet);
         if !replaces {
             color = blend(s, &state.blend, is_unorm, color, shading.color.load(s, block));
         }
         shading.color.store(s, block, alive, color, state.color_mask);
-        if let Some(shown) = shading.tile.shown.get_mut(block) {
-            *shown = alive.select(u32x16::simd_from(s, packet.ids), u32x16::simd_from(s, *shown)).into();
-        }
         i += 1;
+    }
+}
+
+/// What the samples that passed leave in the tile, but for colour and stencil.
+#[inline(always)]
+fn keep<S: Simd>(
+    s: S,
+    tile: &mut Tile,
+    writes_depth: bool,
+    block: usize,
+    passed: mask32x16<S>,
+    depth: &[i32; 16],
+    ids: &[u32; 16],
+) {
+    if writes_depth {
+        let there = &mut tile.depth[block];
+        *there = passed.select(i32x16::simd_from(s, *depth), i32x16::simd_from(s, *there)).into();
+    }
+    if let Some(shown) = tile.shown.get_mut(block) {
+        *shown = passed.select(u32x16::simd_from(s, *ids), u32x16::simd_from(s, *shown)).into();
     }
 }
 

@@ -10,6 +10,7 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 pub(crate) struct Band<'a> {
     pub(crate) color: ColorBuffer<'a>,
     pub(crate) depth: DepthBuffer<'a>,
+    pub(crate) stencil: Option<&'a mut [u8]>,
     pub(crate) triangle_ids: Option<&'a mut [u32]>,
     pub(crate) draw_ids: Option<&'a mut [u32]>,
     pub(crate) barycentrics: Option<&'a mut [[f32; 3]]>,
@@ -27,6 +28,7 @@ impl<'a> Bands<'a> {
         let count = (target.height as usize).div_ceil(side);
         let mut color = color_chunks(&mut target.color, rows);
         let mut depth = depth_chunks(&mut target.depth, rows);
+        let mut stencil = chunks(&mut target.stencil, rows);
         let mut triangle_ids = chunks(&mut target.triangle_ids, rows);
         let mut draw_ids = chunks(&mut target.draw_ids, rows);
         let mut barycentrics = chunks(&mut target.barycentrics, rows);
@@ -35,6 +37,7 @@ impl<'a> Bands<'a> {
             Mutex::new(Band {
                 color: color.next().unwrap_or_default(),
                 depth: depth.next().unwrap_or_default(),
+                stencil: stencil.next(),
                 triangle_ids: triangle_ids.next(),
                 draw_ids: draw_ids.next(),
                 barycentrics: barycentrics.next(),

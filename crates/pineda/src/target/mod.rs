@@ -38,6 +38,8 @@ pub struct Target<'a> {
     pub color: ColorBuffer<'a>,
     /// Depth, linear in raster space.
     pub depth: DepthBuffer<'a>,
+    /// Stencil values.
+    pub stencil: Option<&'a mut [u8]>,
     /// The triangle that each pixel shows, counted from 0 within its draw; [`NO_ID`] where there is none.
     pub triangle_ids: Option<&'a mut [u32]>,
     /// The draw that each pixel shows, counted from 0 within the pass; [`NO_ID`] where there is none.
@@ -84,6 +86,7 @@ impl Target<'_> {
             height,
             color: ColorBuffer::None,
             depth: DepthBuffer::None,
+            stencil: None,
             triangle_ids: None,
             draw_ids: None,
             barycentrics: None,
@@ -106,6 +109,7 @@ impl Target<'_> {
         let buffers = [
             ("color", color),
             ("depth", self.depth.length()),
+            ("stencil", self.stencil.as_ref().map(|b| b.len())),
             ("triangle_ids", self.triangle_ids.as_ref().map(|b| b.len())),
             ("draw_ids", self.draw_ids.as_ref().map(|b| b.len())),
             ("barycentrics", self.barycentrics.as_ref().map(|b| b.len())),

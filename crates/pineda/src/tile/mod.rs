@@ -20,6 +20,8 @@ use view::TileView;
 pub(crate) struct Tile {
     /// Depths as the bits of f32 in 0 to 1, which compare as integers.
     pub(crate) depth: Vec<[i32; 16]>,
+    /// Stencil values, 0 to 255; empty unless a draw tests them or the target asks for them.
+    pub(crate) stencil: Vec<[i32; 16]>,
     /// The visible triangle of each sample, a [`TriangleId`](crate::raster::triangle_id::TriangleId); 0 is none.
     pub(crate) id: Vec<[u32; 16]>,
     pub(crate) bounds: Bounds,

@@ -15,7 +15,8 @@ use crate::wide::{Simd, dispatch};
 pub(crate) fn load(painter: &mut Painter, painting: &Painting<'_>, view: &TileView, row: usize) {
     let loads_color = painting.start.color.is_none();
     let loads_depth = painting.start.depth.is_none() && painting.wants.depth;
-    if !loads_color && !loads_depth {
+    let loads_stencil = painting.start.stencil.is_none() && painting.wants.stencil;
+    if !loads_color && !loads_depth && !loads_stencil {
         return;
     }
     let rows = TileRows::new(view, painting.width, painting.height);
@@ -50,12 +51,15 @@ pub(crate) fn load(painter: &mut Painter, painting: &Painting<'_>, view: &TileVi
         }
         tile.unbound(true, true);
     }
+    if let Some(stencil) = band.stencil.as_deref_mut().filter(|_| loads_stencil) {
+        rows.load(stencil, &mut painter.tile.stencil, block, i32::from);
+    }
 }
 
 /// Clears what a tile without triangles covers.
 pub(crate) fn clear(painting: &Painting<'_>, view: &TileView, row: usize) {
     let rows = TileRows::new(view, painting.width, painting.height);
-    let Start { color, depth, is_first } = painting.start;
+    let Start { color, depth, stencil, is_first } = painting.start;
     let band = &mut *painting.bands.lock(row);
     match (&mut band.color, color) {
         (ColorBuffer::Rgba8(pixels) | ColorBuffer::Rgba8Srgb(pixels), Some(color)) => {
@@ -73,6 +77,9 @@ pub(crate) fn clear(painting: &Painting<'_>, view: &TileView, row: usize) {
         (DepthBuffer::D32F(buffer), None, _) => rows.update(buffer, |z| f32::from_bits(loaded_depth(z) as u32)),
         (DepthBuffer::D24(buffer), ..) => rows.update(buffer, |code| code & 0xff_ffff),
         (DepthBuffer::D16(_) | DepthBuffer::None, ..) => {}
+    }
+    if let (Some(buffer), Some(value)) = (band.stencil.as_deref_mut(), stencil) {
+        rows.fill(buffer, value);
     }
     if is_first {
         for ids in [&mut band.triangle_ids, &mut band.draw_ids].into_iter().flatten() {
@@ -121,6 +128,9 @@ pub(crate) fn store(painter: &mut Painter, painting: &Painting<'_>, view: &TileV
         DepthBuffer::D32F(depth) => rows.store(depth, depths, block, |bits| f32::from_bits(bits as u32)),
         DepthBuffer::D24(depth) => rows.store(depth, depths, block, code),
         DepthBuffer::D16(depth) => rows.store(depth, depths, block, |bits| code(bits) as u16),
+    }
+    if let Some(stencil) = band.stencil.as_deref_mut() {
+        rows.store(stencil, &painter.tile.stencil, block, |value| value as u8);
     }
     let (shown, is_first) = (&painter.tile.shown, painting.start.is_first);
     if let Some(ids) = band.triangle_ids.as_deref_mut() {

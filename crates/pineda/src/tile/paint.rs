@@ -42,6 +42,7 @@ pub(crate) struct Painting<'a> {
 pub(crate) struct Start {
     pub(crate) color: Option<[f32; 4]>,
     pub(crate) depth: Option<f32>,
+    pub(crate) stencil: Option<u8>,
     /// Whether ids, barycentric coordinates and hits start empty.
     pub(crate) is_first: bool,
 }
@@ -51,6 +52,7 @@ pub(crate) struct Start {
 pub(crate) struct Wants {
     pub(crate) color: ColorFormat,
     pub(crate) depth: bool,
+    pub(crate) stencil: bool,
     /// Triangle ids, draw ids or barycentric coordinates.
     pub(crate) ids: bool,
     pub(crate) hits: bool,
@@ -140,6 +142,10 @@ impl Painter {
     fn start(&mut self, painting: &Painting<'_>, view: &TileView, row: usize) {
         let Painting { start, wants, .. } = painting;
         self.tile.clear(view, start.depth.unwrap_or(1.0));
+        self.tile.stencil.clear();
+        if wants.stencil {
+            self.tile.stencil.resize(view.block_count(), [start.stencil.unwrap_or(0).into(); 16]);
+        }
         self.tile.shown.clear();
         if wants.ids {
             self.tile.shown.resize(view.block_count(), [0; 16]);

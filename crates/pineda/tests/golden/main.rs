@@ -56,6 +56,8 @@ struct Frame {
     bytes: Vec<[u8; 4]>,
     float: Vec<[f32; 4]>,
     depth: Vec<f32>,
+    /// Empty if no draw has a stencil test.
+    stencil: Vec<u8>,
     triangle_ids: Vec<u32>,
     draw_ids: Vec<u32>,
     barycentrics: Vec<[f32; 3]>,
@@ -71,6 +73,7 @@ impl Frame {
             bytes: vec![[0; 4]; if scene.format == Format::Float { 0 } else { pixels }],
             float: vec![[0.0; 4]; if scene.format == Format::Float { pixels } else { 0 }],
             depth: vec![0.0; pixels],
+            stencil: vec![0; if scene.has_stencil() { pixels } else { 0 }],
             triangle_ids: vec![0; pixels],
             draw_ids: vec![0; pixels],
             barycentrics: vec![[0.0; 3]; pixels],
@@ -92,6 +95,7 @@ impl Frame {
                 24 => DepthBuffer::D24(&mut d24),
                 _ => DepthBuffer::D32F(&mut frame.depth),
             },
+            stencil: scene.has_stencil().then_some(&mut frame.stencil),
             triangle_ids: Some(&mut frame.triangle_ids),
             draw_ids: Some(&mut frame.draw_ids),
             barycentrics: Some(&mut frame.barycentrics),
@@ -119,6 +123,7 @@ impl Frame {
         for float in floats.into_iter().flatten() {
             all.extend(float.to_bits().to_le_bytes());
         }
+        all.extend(&self.stencil);
         all
     }
 

@@ -39,6 +39,13 @@ enum Look {
     Holes(Holes),
 }
 
+impl Scene {
+    /// Whether a stencil buffer is among its outputs.
+    pub(crate) fn has_stencil(&self) -> bool {
+        self.layers.iter().any(|layer| layer.state.stencil.is_some())
+    }
+}
+
 impl Layer {
     pub(crate) fn draw<'a>(&'a self, pass: &mut Pass<'a>) {
         let mesh = Mesh { vertices: &self.shape.vertices, indices: Indices::U32(&self.shape.indices) };
@@ -84,6 +91,8 @@ pub(crate) fn all() -> Vec<Scene> {
         Scene { depth_bits: 24, format: Format::Srgb, ..scene("depth_bias", decals()) },
         Scene { format: Format::Srgb, ..scene("depth_clamp", clamped()) },
         Scene { depth_bits: 16, clear_depth: 0.0, ..scene("depth_of_16_bits_reversed", steps()) },
+        scene("stencil_operations", stencil_operations()),
+        scene("stencil_outline_and_shadow", stencil_outline()),
         Scene { clear: [0.0; 4], ..scene("blend_operations_and_color_masks", blend_operations()) },
     ]
 }
@@ -300,5 +309,90 @@ fn steps() -> Vec<Layer> {
             soup(31, 40, 20.0, SIZE),
             DrawState { depth_bias: DepthBias { constant: -32_768.0, ..DepthBias::NONE }, ..state },
         ),
+    ]
+}
+
+const UNTESTED: DrawState = DrawState { depth: DepthState::OFF, ..RASTER };
+
+fn stenciled(face: StencilFace, state: DrawState) -> DrawState {
+    DrawState { stencil: Some(StencilState::both(face)), ..state }
+}
+
+/// Stencil values as grey: seven values down, the eight operations across; the right half of each cell is a back face, whose operation
+/// changes the lower four bits only.
+fn stencil_operations() -> Vec<Layer> {
+    let unseen = DrawState { color_mask: ColorMask::NONE, ..UNTESTED };
+    let mut layers = Vec::new();
+    for (j, reference) in [0, 1, 60, 85, 170, 254, 255].into_iter().enumerate() {
+        let y = j as f32 * 29.0;
+        let set = StencilFace { pass: StencilOperation::Replace, reference, ..StencilFace::IGNORE };
+        layers.push(gouraud(rectangle([0.0, y, 317.0, y + 29.0], 0.5, [[0.0; 4]; 4]), stenciled(set, unseen)));
+    }
+    for (i, pass) in StencilOperation::ALL.into_iter().enumerate() {
+        let front = StencilFace { pass, reference: 100, ..StencilFace::IGNORE };
+        let back = StencilFace { write_mask: 0x0f, ..front };
+        let stencil = Some(StencilState { front, back });
+        let state = DrawState { stencil, front_face: FrontFace::Clockwise, ..unseen };
+        for j in 0..7 {
+            let (x, y) = (i as f32 * 39.0 + 6.0, j as f32 * 29.0 + 5.0);
+            layers.push(gouraud(rectangle([x, y, x + 14.0, y + 19.0], 0.5, [[0.0; 4]; 4]), state));
+            layers.push(gouraud(rectangle([x + 28.0, y, x + 14.0, y + 19.0], 0.5, [[0.0; 4]; 4]), state));
+        }
+    }
+    for bit in 0..8 {
+        let mask = 1 << bit;
+        let test = StencilFace { compare: Compare::Equal, read_mask: mask, reference: mask, ..StencilFace::IGNORE };
+        let light = f32::from(mask) / 255.0;
+        let state = stenciled(test, DrawState { blend: Blend::ADD, ..UNTESTED });
+        layers.push(gouraud(rectangle([0.0, 0.0, 317.0, 203.0], 0.5, [[light, light, light, 0.0]; 4]), state));
+    }
+    layers
+}
+
+/// A knot with an outline: marked as it is drawn, then drawn larger where there is no mark. The wall behind it lies in the shadow of a
+/// box, by counting the faces of its shadow volume behind the wall (Carmack's reverse).
+fn stencil_outline() -> Vec<Layer> {
+    let mark =
+        StencilFace { pass: StencilOperation::Replace, reference: 0x80, write_mask: 0x80, ..StencilFace::IGNORE };
+    let unmarked = StencilFace { compare: Compare::Equal, read_mask: 0x80, ..StencilFace::IGNORE };
+    let wall = rectangle(
+        [0.0, 0.0, 317.0, 203.0],
+        0.9999,
+        [[0.8, 0.7, 0.4, 1.0], [0.6, 0.6, 0.5, 1.0], [0.3, 0.3, 0.3, 1.0], [0.5, 0.4, 0.3, 1.0]],
+    );
+    // A prism that goes through the wall: its front before it, its back behind it.
+    let volume = |z: [f32; 2], state| {
+        let mut shape = rectangle([170.0, 30.0, 300.0, 170.0], 0.0, [[0.0; 4]; 4]);
+        shape.vertices.iter_mut().zip([z[0], z[0], z[1], z[1]]).for_each(|(vertex, z)| vertex.position[2] = z);
+        gouraud(shape, state)
+    };
+    let unseen = DrawState {
+        color_mask: ColorMask::NONE,
+        depth: DepthState { write: false, ..DepthState::default() },
+        ..RASTER
+    };
+    let count =
+        |operation| stenciled(StencilFace { depth_fail: operation, write_mask: 0x7f, ..StencilFace::IGNORE }, unseen);
+    let shadowed = StencilFace { compare: Compare::NotEqual, read_mask: 0x7f, ..StencilFace::IGNORE };
+    let dark = DrawState { blend: Blend::MULTIPLY, ..UNTESTED };
+    let mut knot = lit_knot(None);
+    knot.state.stencil = Some(StencilState::both(mark));
+    let mut outline = lit_knot(None);
+    let eye = [2.0, 3.0, 8.5];
+    outline.look = Look::Gouraud(Gouraud { camera: camera(eye, [0.0; 3]) });
+    for vertex in &mut outline.shape.vertices {
+        for k in 0..3 {
+            vertex.position[k] += 0.12 * vertex.normal[k];
+        }
+        vertex.color = [1.0, 1.0, 1.0, 1.0];
+    }
+    outline.state.stencil = Some(StencilState::both(unmarked));
+    vec![
+        gouraud(wall, RASTER),
+        volume([1.0, 1.0], count(StencilOperation::IncrementWrap)),
+        volume([1.0, 0.9997], count(StencilOperation::DecrementWrap)),
+        knot,
+        outline,
+        gouraud(rectangle([0.0, 0.0, 317.0, 203.0], 0.5, [[0.3, 0.3, 0.5, 1.0]; 4]), stenciled(shadowed, dark)),
     ]
 }

@@ -60,6 +60,7 @@ fn buffers_hold_one_element_a_pixel() {
         ("color", Target { color: ColorBuffer::Rgba8Srgb(&mut bytes), ..plain() }),
         ("color", Target { color: ColorBuffer::Rgba32F(&mut floats), ..plain() }),
         ("depth", Target { depth: DepthBuffer::D32F(&mut depth), ..plain() }),
+        ("stencil", Target { stencil: Some(&mut [0; 7]), ..plain() }),
         ("triangle_ids", Target { triangle_ids: Some(&mut ids), ..plain() }),
         ("draw_ids", Target { draw_ids: Some(&mut draws), ..plain() }),
         ("barycentrics", Target { barycentrics: Some(&mut barycentrics), ..plain() }),

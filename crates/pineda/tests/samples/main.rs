@@ -3,4 +3,5 @@
 mod blending;
 mod common;
 mod depth;
+mod stencil;
 mod windows;
