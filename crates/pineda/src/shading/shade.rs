@@ -5,7 +5,7 @@ use super::distinct::{Distinct, Fragments};
 use super::interpolate::{Last, interpolate};
 use super::packet::{BATCH, PacketBatch, PacketState, VaryingLayout};
 use super::run::RunView;
-use super::stencil::Tested;
+use super::stencil::Tests;
 use crate::pass::ColorMask;
 use crate::pass::draw_call::DrawCall;
 use crate::raster::triangle_id::TriangleId;
@@ -88,6 +88,7 @@ pub(crate) fn shade_in_order<S: Simd>(s: S, shading: &mut Shading<'_>, packets: 
     let mut distinct = [Distinct::NONE; BATCH];
     let call = shading.call;
     let (state, discards) = (call.state(), call.discards());
+    let tests = Tests { state, front_is_clockwise: shading.run.front_is_clockwise };
     let is_shaded = discards || (state.color_mask != ColorMask::NONE && shading.color.format != ColorFormat::None);
     let mut first = 0;
     while first < packets.len() {
@@ -102,7 +103,7 @@ pub(crate) fn shade_in_order<S: Simd>(s: S, shading: &mut Shading<'_>, packets: 
             let block = packet.block as usize;
             let covered = mask32x16::from_bitmask(s, u64::from(packet.mask));
             let id = TriangleId(packet.id);
-            let tested = Tested::new(s, shading.tile, state, shading.run, id, block, covered, &packet.depth);
+            let tested = tests.of(s, shading.tile, id, block, covered, &packet.depth);
             let mut mask = tested.both;
             if !discards {
                 tested.update(s, shading.tile, block);
@@ -177,6 +178,7 @@ fn fragments(packet: &PacketState) -> Fragments<'_> {
 #[inline(always)]
 fn merge<S: Simd>(s: S, shading: &mut Shading<'_>) {
     let (state, discards) = (shading.call.state(), shading.call.discards());
+    let tests = Tests { state, front_is_clockwise: shading.run.front_is_clockwise };
     let (replaces, is_unorm) = (state.blend.replaces(), shading.color.format.is_unorm());
     let mut i = 0;
     while i < shading.batch.len() {
@@ -185,7 +187,7 @@ fn merge<S: Simd>(s: S, shading: &mut Shading<'_>) {
         let mut alive = mask32x16::from_bitmask(s, u64::from(packet.alive));
         if discards && state.stencil.is_some() {
             let id = TriangleId(packet.ids[0]);
-            let tested = Tested::new(s, shading.tile, state, shading.run, id, block, alive, &packet.depth);
+            let tested = tests.of(s, shading.tile, id, block, alive, &packet.depth);
             tested.update(s, shading.tile, block);
             alive = tested.both;
         }

@@ -1,6 +1,5 @@
 //! Depth and stencil test of ordered packets, and what the stencil test leaves behind.
 
-use super::run::RunView;
 use crate::pass::{DrawState, StencilFace, StencilOperation};
 use crate::raster::triangle_id::{CLIPPED_CLOCKWISE, TriangleId};
 use crate::tile::Tile;
@@ -15,31 +14,42 @@ pub(crate) struct Tested<'a, S: Simd> {
     face: Option<&'a StencilFace>,
 }
 
-impl<'a, S: Simd> Tested<'a, S> {
-    /// Tests samples of a block against what the tile holds.
+/// A draw's tests.
+#[derive(Clone, Copy)]
+pub(crate) struct Tests<'a> {
+    pub(crate) state: &'a DrawState,
+    pub(crate) front_is_clockwise: bool,
+}
+
+impl<'a> Tests<'a> {
+    /// Tests samples that a triangle covers in a block against what the tile holds.
     #[inline(always)]
-    pub(crate) fn new(
+    pub(crate) fn of<S: Simd>(
+        &self,
         s: S,
         tile: &Tile,
-        state: &'a DrawState,
-        run: &RunView<'_>,
         id: TriangleId,
         block: usize,
         covered: mask32x16<S>,
         depth: &[i32; 16],
-    ) -> Self {
+    ) -> Tested<'a, S> {
+        let state = self.state;
         let there = i32x16::simd_from(s, tile.depth[block]);
         let passes = covered & state.depth.compare.passes(s, i32x16::simd_from(s, *depth), there);
-        let Some(stencil) = &state.stencil else { return Self { covered, stencil: covered, both: passes, face: None } };
+        let Some(stencil) = &state.stencil else {
+            return Tested { covered, stencil: covered, both: passes, face: None };
+        };
         let is_clockwise = id.order_code() < 3 || id.order_code() == CLIPPED_CLOCKWISE;
-        let face = if is_clockwise == run.front_is_clockwise { &stencil.front } else { &stencil.back };
+        let face = if is_clockwise == self.front_is_clockwise { &stencil.front } else { &stencil.back };
         let read = i32::from(face.read_mask);
         let reference = i32x16::splat(s, i32::from(face.reference) & read);
         let stored = i32x16::simd_from(s, tile.stencil[block]) & read;
         let stencil = covered & face.compare.passes(s, reference, stored);
-        Self { covered, stencil, both: stencil & passes, face: Some(face) }
+        Tested { covered, stencil, both: stencil & passes, face: Some(face) }
     }
+}
 
+impl<S: Simd> Tested<'_, S> {
     /// Whether samples that do not pass change the stencil buffer.
     pub(crate) fn failing_counts(&self) -> bool {
         self.face.is_some_and(|face| [face.fail, face.depth_fail] != [StencilOperation::Keep; 2])

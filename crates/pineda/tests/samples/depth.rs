@@ -104,7 +104,7 @@ fn depths_are_compared_as_they_are_stored() {
             .collect();
         let given = start.clone();
         let mut wanted_color = vec![[0.0f32; 4]; PIXELS];
-        for at in 0..PIXELS {
+        for (at, color) in wanted_color.iter_mut().enumerate() {
             if let Some(z) = clear {
                 start.set(at, start.stored(z));
             }
@@ -121,9 +121,9 @@ fn depths_are_compared_as_they_are_stored() {
                     start.set(at, z);
                 }
                 if state.color_mask == ColorMask::ALL {
-                    let sum = |k: usize| layer.colors[at][k] + wanted_color[at][k];
+                    let sum = |k: usize| layer.colors[at][k] + color[k];
                     let is_added = state.blend == Blend::ADD;
-                    wanted_color[at] = if is_added { [0, 1, 2, 3].map(sum) } else { layer.colors[at] };
+                    *color = if is_added { [0, 1, 2, 3].map(sum) } else { layer.colors[at] };
                 }
             }
         }
@@ -402,12 +402,12 @@ fn depth_is_clamped_instead_of_clipped() {
         for settings in settings(seed) {
             let drawing = drawn(&settings, &triangle.vertices(seed as usize % 6), state);
             assert_eq!(drawing.statistics.clipped, 0);
-            for at in 0..PIXELS {
+            for (at, &is_covered) in covered.iter().enumerate() {
                 let (x, y) = centre(at);
                 let range = [f64::from(min_depth), f64::from(max_depth)];
                 let z = triangle.depth(x, y) * (range[1] - range[0]) + range[0];
                 let z = z.clamp(range[0].min(range[1]), range[0].max(range[1]));
-                let wanted = if covered[at] { (1, z) } else { (0, 1.0) };
+                let wanted = if is_covered { (1, z) } else { (0, 1.0) };
                 assert_eq!(
                     (drawing.hits[at], f64::from(drawing.depth[at])),
                     wanted,
