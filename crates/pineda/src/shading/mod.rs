@@ -215,6 +215,7 @@ mod large;
 pub(crate) mod packet;
 pub(crate) mod run;
 pub(crate) mod shade;
+pub(crate) mod stencil;
 pub(crate) mod weights;
 
 pub(crate) use fragment::FragParts;

@@ -53,10 +53,13 @@ impl Naive {
         }
         let [r, g, b, a] = source;
         let over = |source: [f32; 4]| [0, 1, 2, 3].map(|k| source[k] + self.color[at][k] * (1.0 - a));
-        self.color[at] = match layer.state.blend {
-            Blend::Opaque => source,
-            Blend::SourceOver => over([r * a, g * a, b * a, a]),
-            Blend::PremultipliedSourceOver => over(source),
+        self.color[at] = if layer.state.blend == Blend::OPAQUE {
+            source
+        } else if layer.state.blend == Blend::ALPHA {
+            over([r * a, g * a, b * a, a])
+        } else {
+            assert_eq!(layer.state.blend, Blend::PREMULTIPLIED);
+            over(source)
         };
         if layer.state.depth.write {
             self.depth[at] = z;
