@@ -1,7 +1,7 @@
 //! A case drawn, with everything that a target can hold.
 
 use crate::{Probe, ProbeVertex};
-use pineda::{ColorBuffer, DrawState, Indices, Mesh, Pass, Renderer, Space, Statistics, Target};
+use pineda::{ColorBuffer, DepthBuffer, DrawState, Indices, Mesh, Pass, Renderer, Space, Statistics, Target};
 use pineda_oracle::cases::{self, Case, Random, orders};
 
 /// All outputs of a target, row by row from the top.
@@ -59,7 +59,7 @@ impl Drawing {
     pub fn draw_over(&mut self, renderer: &mut Renderer, pass: &Pass<'_>) -> Result<(), pineda::Error> {
         let mut target = Target {
             color: ColorBuffer::Rgba32F(&mut self.color),
-            depth: Some(&mut self.depth),
+            depth: DepthBuffer::D32F(&mut self.depth),
             triangle_ids: Some(&mut self.triangle_ids),
             instance_ids: Some(&mut self.instance_ids),
             draw_ids: Some(&mut self.draw_ids),

@@ -5,7 +5,9 @@ mod common;
 
 use common::{BlinnPhong, Gouraud, HEIGHT, Scene, WIDTH, fill, knot, micro};
 use criterion::{Criterion, criterion_group, criterion_main};
-use pineda::{ColorBuffer, Cull, DrawState, Indices, Mesh, Pass, Renderer, Settings, Shader, Target};
+use pineda::{
+    ColorBuffer, Compare, Cull, DepthState, DrawState, Indices, Mesh, Pass, Renderer, Settings, Shader, Target,
+};
 
 fn scenes(criterion: &mut Criterion) {
     let gouraud = |camera| Gouraud { camera };
@@ -18,6 +20,8 @@ fn scenes(criterion: &mut Criterion) {
         };
         draw("fill_front_to_back", &fill(true), DrawState::default());
         draw("fill_back_to_front", &fill(false), DrawState::default());
+        draw("fill_front_to_back_reversed_z", &reversed(fill(true)), REVERSED);
+        draw("fill_back_to_front_reversed_z", &reversed(fill(false)), REVERSED);
         draw("micro", &micro(), DrawState::default());
         let scene = knot();
         let shader = BlinnPhong { camera: scene.camera, eye: common::EYE, light: [0.4, 0.5, 0.768], shininess: 32.0 };
@@ -25,6 +29,16 @@ fn scenes(criterion: &mut Criterion) {
         bench(&mut group, &format!("medium/{threads}"), threads, &scene, &shader, state);
     }
     group.finish();
+}
+
+/// Near is 1, far is 0, and what is farther away from 0 is seen.
+const REVERSED: DrawState =
+    DrawState { depth: DepthState { compare: Compare::Greater, write: true }, ..DrawState::DEFAULT };
+
+/// The scene for [`REVERSED`].
+fn reversed(mut scene: Scene) -> Scene {
+    scene.vertices.iter_mut().for_each(|vertex| vertex.position[2] = 1.0 - vertex.position[2]);
+    scene
 }
 
 fn bench<Sh: Shader<Vertex = common::Vertex>>(
@@ -39,6 +53,7 @@ fn bench<Sh: Shader<Vertex = common::Vertex>>(
     let settings = Settings { threads, ..Settings::default() };
     let mut renderer = Renderer::new(settings).expect("the default level is there");
     let mut pass = Pass::new();
+    pass.clear_depth = Some(if state.depth.compare == Compare::Greater { 0.0 } else { 1.0 });
     pass.draw(shader, Mesh { vertices: &scene.vertices, indices: Indices::U32(&scene.indices) }, state);
     group.bench_function(name, |bencher| {
         bencher.iter(|| {

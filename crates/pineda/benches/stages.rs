@@ -5,8 +5,8 @@ mod common;
 use common::{BlinnPhong, EYE, Gouraud, HEIGHT, Scene, Vertex, WIDTH, grid_strips, knot, micro};
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use pineda::{
-    Blend, ColorBuffer, Cull, DrawState, Indices, Mat4, Mesh, Pass, PrimitiveTopology, Renderer, Rgba, Settings,
-    Shader, Space, Target, Vec3, Vec4,
+    Blend, ColorBuffer, Cull, DepthBuffer, DrawState, Indices, Mat4, Mesh, Pass, PrimitiveTopology, Renderer, Rgba,
+    Settings, Shader, Space, Target, Vec3, Vec4,
 };
 
 /// What is drawn to.
@@ -43,7 +43,7 @@ fn bench<Sh: Shader<Vertex = Vertex>>(
             match output {
                 Output::Color => target.color = ColorBuffer::Rgba8(&mut pixels),
                 Output::Srgb => target.color = ColorBuffer::Rgba8Srgb(&mut pixels),
-                Output::Depth => target.depth = Some(&mut depth),
+                Output::Depth => target.depth = DepthBuffer::D32F(&mut depth),
                 Output::Ids => {
                     target.triangle_ids = Some(&mut ids);
                     target.barycentrics = Some(&mut barycentrics);
@@ -108,7 +108,7 @@ fn stages(criterion: &mut Criterion) {
     bench(criterion, "shade_gouraud", pixels / 2, &scene, &plain, state, Output::Color);
     bench(criterion, "shade_blinn_phong", pixels / 2, &scene, &lit, state, Output::Color);
     bench(criterion, "encode_srgb", pixels / 2, &scene, &plain, state, Output::Srgb);
-    let blended = DrawState { blend: Blend::SourceOver, ..state };
+    let blended = DrawState { blend: Blend::ALPHA, ..state };
     bench(criterion, "blend", pixels / 2, &scene, &plain, blended, Output::Color);
 
     let scene = knot();
@@ -134,7 +134,7 @@ fn primitives(criterion: &mut Criterion) {
         group.sample_size(20).throughput(Throughput::Elements(triangles));
         group.bench_function(name, |bencher| {
             bencher.iter(|| {
-                let mut target = Target { depth: Some(&mut depth), ..Target::new(WIDTH, HEIGHT) };
+                let mut target = Target { depth: DepthBuffer::D32F(&mut depth), ..Target::new(WIDTH, HEIGHT) };
                 renderer.render(pass, &mut target).expect("the scene is valid")
             });
         });

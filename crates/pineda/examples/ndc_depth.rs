@@ -6,7 +6,9 @@
 //!
 //! `cargo run --release -p pineda --example ndc_depth [OUT.png]`
 
-use pineda::{ColorBuffer, DrawState, Error, Indices, Mesh, Pass, Renderer, Rgba, Settings, Target, Vec3, Vec4};
+use pineda::{
+    ColorBuffer, DepthBuffer, DrawState, Error, Indices, Mesh, Pass, Renderer, Rgba, Settings, Target, Vec3, Vec4,
+};
 use std::fs::File;
 use std::path::PathBuf;
 
@@ -44,7 +46,7 @@ pub fn draw(settings: Settings) -> Result<Vec<[u8; 4]>, Error> {
         |f| Rgba::opaque(f.varyings()),
     );
     let color = ColorBuffer::Rgba8Srgb(&mut pixels);
-    let mut target = Target { color, depth: Some(&mut depth), ..Target::new(SIZE, SIZE) };
+    let mut target = Target { color, depth: DepthBuffer::D32F(&mut depth), ..Target::new(SIZE, SIZE) };
     Renderer::new(settings)?.render(&pass, &mut target)?;
     Ok(pixels)
 }

@@ -68,13 +68,21 @@ pub enum Error {
         /// `vertices`, `triangles` or `instances`; on machines of 32 bits, `vertices of all instances` or `triangles of all instances`, too.
         what: &'static str,
     },
-    /// A viewport with a non-finite side, a negative size, or one that is out of range.
+    /// A viewport with a non-finite number, a width that is not positive, a height of 0, or one that is out of range.
     #[error("draw {draw}: the viewport is not usable: {reason}")]
     Viewport {
         /// The draw's number in its pass, from 0.
         draw: usize,
         /// What is wrong with it.
         reason: &'static str,
+    },
+    /// A depth bias with a number that is NaN or infinite.
+    #[error("draw {draw}: the depth bias has a {field} that is not finite")]
+    DepthBias {
+        /// The draw's number in its pass, from 0.
+        draw: usize,
+        /// The field of [`DepthBias`](crate::DepthBias).
+        field: &'static str,
     },
     /// The SIMD level was named, and this CPU or build does not have it.
     #[error("this machine has no {asked}; it has {}", list(.available))]

@@ -99,11 +99,12 @@ mod wide;
 
 pub use error::Error;
 pub use pass::{
-    Blend, Compare, Cull, DepthState, DrawState, FrontFace, Indices, Instanced, Mesh, Pass, PrimitiveTopology,
-    ProvokingVertex, Renderer, Space, Statistics, Viewport,
+    Blend, BlendComponent, BlendFactor, BlendOperation, ColorMask, Compare, Cull, DepthBias, DepthState, DrawState,
+    FrontFace, Indices, Instanced, Mesh, Pass, PrimitiveTopology, ProvokingVertex, Renderer, Scissor, Space,
+    Statistics, StencilFace, StencilOperation, StencilState, Viewport,
 };
 pub use settings::{Settings, Simd, TileSize, UnknownSimd};
-pub use target::{ColorBuffer, MAX_SIZE, NO_ID, Target};
+pub use target::{ColorBuffer, DepthBuffer, MAX_SIZE, NO_ID, Target};
 
 pub use lanes::{Lanes, Packet, Scalar};
 pub use math::{Bool, Mat4, Real, Rgba, Select, Splat, ToLanes, Vec2, Vec3, Vec4};

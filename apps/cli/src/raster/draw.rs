@@ -6,7 +6,8 @@ use crate::failure::Failure;
 use crate::picture::{Picture, Pixels};
 use crate::render::depth_code;
 use pineda::{
-    Blend, ColorBuffer, Compare, DepthState, DrawState, Indices, Mesh, NO_ID, Pass, Renderer, Rgba, Target, Vec4,
+    Blend, ColorBuffer, Compare, DepthBuffer, DepthState, DrawState, Indices, Mesh, NO_ID, Pass, Renderer, Rgba,
+    Target, Vec4,
 };
 
 pub(crate) fn draw(drawing: &Drawing, show: Show, renderer: &mut Renderer) -> Result<Picture, Failure> {
@@ -30,7 +31,7 @@ pub(crate) fn draw(drawing: &Drawing, show: Show, renderer: &mut Renderer) -> Re
         Show::Depth => {
             let (mut depth, mut ids) = (vec![0.0; count], vec![0; count]);
             execute(drawing, renderer, |target| Target {
-                depth: Some(&mut depth),
+                depth: DepthBuffer::D32F(&mut depth),
                 triangle_ids: Some(&mut ids),
                 ..target
             })?;
@@ -59,7 +60,7 @@ fn execute<'a>(
         cull: drawing.cull,
         front_face: drawing.front_face,
         depth: DepthState { compare, write: true },
-        blend: if blends { Blend::SourceOver } else { Blend::Opaque },
+        blend: if blends { Blend::ALPHA } else { Blend::OPAQUE },
         ..DrawState::default()
     };
     let [r, g, b] = drawing.background;

@@ -152,7 +152,7 @@ fn to_raster(projection: &Projection, at: Homogeneous) -> Option<ScreenVertex> {
     // A cut can land a rounding error outside of its plane.
     let band = f64::from(GUARD_BAND);
     let snap = |v: f64| (v / at.w).round_ties_even().clamp(-band, band) as i32;
-    let z = ((at.z / at.w) as f32).clamp(0.0, 1.0);
+    let z = projection.bounded_depth((at.z / at.w) as f32);
     (at.w > 0.0).then(|| ScreenVertex::new(snap(at.x), snap(at.y), projection.depth(z), (1.0 / at.w) as f32))
 }
 

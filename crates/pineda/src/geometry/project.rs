@@ -30,6 +30,9 @@ pub(crate) mod outcode {
 /// and three of them summed, it could leave the range of f32.
 const LARGEST_INV_W: f32 = 18_446_744_073_709_551_616.0; // 2^64
 
+/// The largest |z / w| of a triangle that is not clipped by depth: with larger ones its plane could leave the range of f32.
+const LARGEST_DEPTH: f32 = LARGEST_INV_W;
+
 /// Maps positions of a [`Space`] to the raster.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Projection {
@@ -39,6 +42,8 @@ pub(crate) struct Projection {
     min_depth: f32,
     depth_range: f32,
     space: Space,
+    /// Whether depths before the near plane and beyond the far one are clamped, sample by sample, instead of being clipped.
+    clamps_depth: bool,
 }
 
 /// A position before the perspective division, scaled so that x / w and y / w are subpixels: the clipper's space.
@@ -62,7 +67,22 @@ impl Projection {
             Space::Raster => ([subpixels; 2], [0.0; 2]),
         };
         let (min_depth, depth_range) = (viewport.min_depth, viewport.max_depth - viewport.min_depth);
-        Self { scale, offset, min_depth, depth_range, space }
+        Self { scale, offset, min_depth, depth_range, space, clamps_depth: false }
+    }
+
+    /// The same, with depths clamped instead of clipped or not.
+    pub(crate) fn with_depth_clamp(self, clamps_depth: bool) -> Self {
+        Self { clamps_depth, ..self }
+    }
+
+    /// By how much the depth grows from z / w = 0 to 1.
+    pub(crate) fn depth_range(&self) -> f32 {
+        self.depth_range
+    }
+
+    /// The z / w of a corner that clipping left, which a rounding error may have moved out of bounds.
+    pub(crate) fn bounded_depth(&self, z: f32) -> f32 {
+        if self.clamps_depth { z.clamp(-LARGEST_DEPTH, LARGEST_DEPTH) } else { z.clamp(0.0, 1.0) }
     }
 
     /// The depth of a vertex whose z / w is `z`.
@@ -99,7 +119,8 @@ impl Projection {
         }
         let p = self.homogeneous(position);
         let band = f64::from(GUARD_BAND) * p.w;
-        let outside = [(p.z < 0.0, NEAR), (p.z > p.w, FAR), (p.x < -band, LEFT), (p.x > band, RIGHT)];
+        let clips = !self.clamps_depth;
+        let outside = [(clips && p.z < 0.0, NEAR), (clips && p.z > p.w, FAR), (p.x < -band, LEFT), (p.x > band, RIGHT)];
         let outside = outside.into_iter().chain([(p.y < -band, TOP), (p.y > band, BOTTOM)]);
         outside.fold(0, |code, (is_outside, plane)| if is_outside { code | plane } else { code })
     }
@@ -112,9 +133,12 @@ impl Projection {
         let zero = f32x16::splat(s, 0.0);
         let one = f32x16::splat(s, 1.0);
         let (z, z_far) = if raster { (z, one) } else { (z, w) };
-        let in_view = w.simd_gt(zero) & z.simd_ge(zero) & z.simd_le(z_far);
+        let mut in_view = w.simd_gt(zero) & z.simd_ge(zero) & z.simd_le(z_far);
         let inv_w = one / w;
         let z = if raster { z } else { z / w };
+        if self.clamps_depth {
+            in_view = w.simd_gt(zero) & z.abs().simd_le(LARGEST_DEPTH);
+        }
         let z = z * self.depth_range + self.min_depth;
 
         let divisor = if raster { one } else { w };

@@ -49,6 +49,10 @@ impl ScreenVertex {
         self.0[1] as i32
     }
 
+    pub(crate) fn z(self) -> f32 {
+        f32::from_bits(self.0[2])
+    }
+
     pub(crate) fn is_off_raster(self) -> bool {
         self.x() == OFF_RASTER
     }

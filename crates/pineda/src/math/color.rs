@@ -47,7 +47,7 @@ impl<L: Lanes> Rgba<L> {
         Vec3 { x: self.r, y: self.g, z: self.b }
     }
 
-    /// Red, green and blue multiplied by alpha, as `Blend::PremultipliedSourceOver` wants it.
+    /// Red, green and blue multiplied by alpha, as [`Blend::PREMULTIPLIED`](crate::Blend::PREMULTIPLIED) wants it.
     #[inline(always)]
     pub fn premultiplied(self) -> Self {
         Self { r: self.r * self.a, g: self.g * self.a, b: self.b * self.a, a: self.a }

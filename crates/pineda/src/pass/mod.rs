@@ -1,6 +1,7 @@
 //! Passes: what is to be drawn, recorded first and executed afterwards.
 
 pub(crate) mod assembly;
+mod blend;
 pub(crate) mod draw_call;
 mod input;
 pub(crate) mod plan;
@@ -8,12 +9,15 @@ mod primitives;
 mod render;
 mod state;
 mod statistics;
+mod stencil;
 mod validate;
 
+pub use blend::{Blend, BlendComponent, BlendFactor, BlendOperation, ColorMask};
 pub use primitives::{Indices, Instanced, PrimitiveTopology, ProvokingVertex};
 pub use render::Renderer;
-pub use state::{Blend, Compare, Cull, DepthState, DrawState, FrontFace, Space, Viewport};
+pub use state::{Compare, Cull, DepthBias, DepthState, DrawState, FrontFace, Scissor, Space, Viewport};
 pub use statistics::Statistics;
+pub use stencil::{StencilFace, StencilOperation, StencilState};
 
 use crate::lanes::Scalar;
 use crate::math::{Rgba, Vec4};
@@ -31,6 +35,8 @@ pub struct Pass<'a> {
     pub clear_color: Option<[f32; 4]>,
     /// The depth that the target starts with, clamped to 0 to 1; `None` keeps what it holds (a target without a depth buffer holds 1).
     pub clear_depth: Option<f32>,
+    /// The stencil value that the target starts with; `None` keeps what it holds (a target without a stencil buffer holds 0).
+    pub clear_stencil: Option<u8>,
     pub(crate) draws: Vec<Box<dyn DrawCall + 'a>>,
 }
 
@@ -45,16 +51,17 @@ impl fmt::Debug for Pass<'_> {
         f.debug_struct("Pass")
             .field("clear_color", &self.clear_color)
             .field("clear_depth", &self.clear_depth)
+            .field("clear_stencil", &self.clear_stencil)
             .field("draws", &self.draws.len())
             .finish()
     }
 }
 
 impl<'a> Pass<'a> {
-    /// A pass without draws that clears to transparent black and depth 1.
+    /// A pass without draws that clears to transparent black, depth 1 and stencil 0.
     #[must_use]
     pub fn new() -> Self {
-        Self { clear_color: Some([0.0; 4]), clear_depth: Some(1.0), draws: Vec::new() }
+        Self { clear_color: Some([0.0; 4]), clear_depth: Some(1.0), clear_stencil: Some(0), draws: Vec::new() }
     }
 
     /// Adds a draw. Draws are numbered from 0.

@@ -7,7 +7,7 @@
 use super::assembly::Assembly;
 use super::draw_call::DrawCall;
 use super::validate::DrawExtent;
-use super::{Blend, Compare, Indices, Pass, Viewport};
+use super::{ColorMask, Compare, DepthState, DrawState, Indices, Pass, Scissor, Viewport};
 use crate::geometry::project::Projection;
 use crate::raster::corners::Corners;
 use crate::raster::setup::PixelRect;
@@ -103,15 +103,39 @@ impl Run<'_> {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Segment {
     pub(crate) kind: SegmentKind,
+    pub(crate) depth: DepthRule,
     /// What can be covered, if that is not the whole target.
     pub(crate) rect: Option<PixelRect>,
+}
+
+/// How depths are compared, and what they are clamped to before: the viewport's range, as bits.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct DepthRule {
+    pub(crate) compare: Compare,
+    pub(crate) low: i32,
+    pub(crate) high: i32,
+}
+
+impl DepthRule {
+    fn new(compare: Compare, viewport: &Viewport) -> Self {
+        // Adding 0 makes 0 of -0.
+        let [a, b] = [viewport.min_depth, viewport.max_depth].map(|z| (z + 0.0).to_bits() as i32);
+        Self { compare, low: a.min(b), high: a.max(b) }
+    }
+
+    /// Whether it is the usual one: [`Compare::Less`] over all depths.
+    pub(crate) fn is_usual(&self) -> bool {
+        *self == Self { compare: Compare::Less, low: 0, high: 1.0f32.to_bits() as i32 }
+    }
 }
 
 /// How a segment's triangles become pixels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum SegmentKind {
     /// Visibility first, shading when all of the batch is in.
-    Deferred(Compare),
+    Deferred,
+    /// Visibility alone: no colour is written.
+    DepthOnly,
     /// Fragment by fragment, in order, with this run's shader.
     Ordered { run: usize },
 }
@@ -311,16 +335,11 @@ impl<'p> Batch<'p> {
     ) {
         let state = call.state();
         let viewport = state.viewport.unwrap_or(Viewport::whole(width, height));
-        let rect = viewport_rect(&viewport, width, height);
+        let rect = covered_rect(&viewport, state.scissor, width, height);
         let whole = PixelRect { x0: 0, y0: 0, x1: width as i32, y1: height as i32 };
-        // Only what writes depth may wait: else the visibility buffer would not know the depth of what it shows.
-        let can_wait = state.blend == Blend::Opaque && state.depth.write && !call.discards();
-        let kind = if can_wait {
-            SegmentKind::Deferred(state.depth.compare)
-        } else {
-            SegmentKind::Ordered { run: self.runs.len() }
-        };
-        let segment = Segment { kind, rect: Some(rect).filter(|&rect| rect != whole) };
+        let kind = kind(state, call.discards(), self.runs.len());
+        let depth = DepthRule::new(state.depth.compare, &viewport);
+        let segment = Segment { kind, depth, rect: Some(rect).filter(|&rect| rect != whole) };
         if self.segments.last() != Some(&segment) {
             self.segments.push(segment);
         }
@@ -339,7 +358,7 @@ impl<'p> Batch<'p> {
             geometry: piece.geometry,
             screen,
             records,
-            projection: Projection::new(state.space, &viewport),
+            projection: Projection::new(state.space, &viewport).with_depth_clamp(state.depth_clamp),
             rect,
             segment: self.segments.len() - 1,
         });
@@ -354,13 +373,31 @@ impl<'p> Batch<'p> {
     }
 }
 
-/// The pixels of a viewport that lie in the target.
-fn viewport_rect(viewport: &Viewport, width: u32, height: u32) -> PixelRect {
-    let side = |start: f32, size: f32, limit: u32| {
-        let round = |v: f32| (v.round_ties_even() as i32).clamp(0, limit as i32);
-        (round(start), round(start + size))
+/// How run `run` becomes pixels.
+fn kind(state: &DrawState, discards: bool, run: usize) -> SegmentKind {
+    let DepthState { compare, write } = state.depth;
+    // Only what leaves its depth behind may wait: else the visibility buffer would not know the depth of what it shows.
+    let leaves_depth = write || compare == Compare::Equal;
+    match state.color_mask {
+        _ if state.stencil.is_some() => SegmentKind::Ordered { run },
+        ColorMask::NONE if leaves_depth && !discards => SegmentKind::DepthOnly,
+        ColorMask::ALL if leaves_depth && !discards && state.blend.replaces() => SegmentKind::Deferred,
+        _ => SegmentKind::Ordered { run },
+    }
+}
+
+/// The pixels of the target that lie in a viewport and a scissor rectangle.
+fn covered_rect(viewport: &Viewport, scissor: Option<Scissor>, width: u32, height: u32) -> PixelRect {
+    let side = |start: f32, size: f32, scissor: Option<(i32, u32)>, limit: u32| {
+        let limit = i64::from(limit);
+        let round = |v: f32| (v.round_ties_even() as i64).clamp(0, limit);
+        let (a, b) = (round(start), round(start + size));
+        let (first, last) = (a.min(b), a.max(b));
+        let Some((start, size)) = scissor else { return (first as i32, last as i32) };
+        let cut = |v: i64| v.clamp(first, last) as i32;
+        (cut(i64::from(start)), cut(i64::from(start) + i64::from(size)))
     };
-    let (x0, x1) = side(viewport.x, viewport.width, width);
-    let (y0, y1) = side(viewport.y, viewport.height, height);
+    let (x0, x1) = side(viewport.x, viewport.width, scissor.map(|s| (s.x, s.width)), width);
+    let (y0, y1) = side(viewport.y, viewport.height, scissor.map(|s| (s.y, s.height)), height);
     PixelRect { x0, y0, x1, y1 }
 }

@@ -7,9 +7,11 @@ use super::validate::{DrawExtent, validate};
 use super::{Cull, FrontFace, Pass, Statistics};
 use crate::geometry::raster_space::ScreenVertex;
 use crate::raster::bins::{Share, TileGrid};
+use crate::raster::depth_bias::Bias;
 use crate::raster::setup::{SetupState, setup};
 use crate::shading::run::RunView;
 use crate::target::bands::Bands;
+use crate::target::depth::{DepthBuffer, DepthFormat, loaded_depth};
 use crate::target::format::ColorFormat;
 use crate::tile::paint::{Painter, Painting, Start, Wants};
 use crate::tile::queue::TileQueue;
@@ -30,6 +32,8 @@ pub struct Renderer {
     painters: Vec<Painter>,
     /// The depth between flushes, for targets without a depth buffer.
     depth: Vec<f32>,
+    /// The same of stencil values.
+    stencil: Vec<u8>,
 }
 
 /// Triangles that one job assembles.
@@ -56,6 +60,7 @@ impl Renderer {
             shares: Vec::new(),
             painters: Vec::new(),
             depth: Vec::new(),
+            stencil: Vec::new(),
         })
     }
 
@@ -68,25 +73,31 @@ impl Renderer {
         let extents = validate(pass, self.level, self.threads)?;
         let mut others = plan(pass, &extents, target.width, target.height, self.settings.memory);
         let first = others.next().unwrap_or_default();
-        let flushes = self.reserve(&first, others.clone(), target)?;
+        let flushes = self.reserve(&first, others.clone(), target, uses_stencil(pass))?;
         let grid = TileGrid::new(target.width, target.height, self.settings.tile.log2());
-        let mut depth = std::mem::take(&mut self.depth);
-        let mut target = with_depth(target, &mut depth, flushes);
+        let (mut depth, mut stencil) = (std::mem::take(&mut self.depth), std::mem::take(&mut self.stencil));
+        let mut target = with_own(target, &mut depth, &mut stencil, flushes);
         let mut statistics = Statistics::default();
         for (flush, batch) in std::iter::once(first).chain(others).enumerate() {
             self.assemble(pass, &extents, &batch);
             self.run_vertices(pass, &batch);
-            self.set_up(pass, &batch, grid);
+            self.set_up(pass, &batch, grid, target.depth.format());
             self.paint(pass, &batch, grid, &mut target, flush == 0);
             statistics.flushes += 1;
             self.shares.iter().for_each(|share| statistics.add(&share.statistics));
         }
-        self.depth = depth;
+        (self.depth, self.stencil) = (depth, stencil);
         Ok(statistics)
     }
 
     /// Memory for the largest batch, and for each thread's state. Returns how many batches there are.
-    fn reserve(&mut self, first: &Batch<'_>, others: Plan<'_>, target: &Target<'_>) -> Result<usize, Error> {
+    fn reserve(
+        &mut self,
+        first: &Batch<'_>,
+        others: Plan<'_>,
+        target: &Target<'_>,
+        stencil: bool,
+    ) -> Result<usize, Error> {
         let (mut flushes, mut assembled) = (1, first.assembled);
         let (mut screen, mut records) = (first.screen_vertices, first.record_rows);
         for batch in others {
@@ -98,8 +109,14 @@ impl Renderer {
         grow(&mut self.assembled, assembled, "triangles of strips, fans and instances")?;
         grow(&mut self.screen, screen, "projected vertices")?;
         grow(&mut self.records, records, "vertex records")?;
+        let pixels = target.width as usize * target.height as usize;
         if flushes > 1 && target.depth.is_none() {
-            grow(&mut self.depth, target.width as usize * target.height as usize, "depth between flushes")?;
+            grow(&mut self.depth, pixels, "depth between flushes")?;
+        }
+        if flushes > 1 && target.stencil.is_none() && stencil {
+            grow(&mut self.stencil, pixels, "stencil between flushes")?;
+        } else {
+            self.stencil.clear();
         }
         self.painters.resize_with(self.threads, Painter::new);
         Ok(flushes)
@@ -174,7 +191,7 @@ impl Renderer {
     }
 
     /// Setup and binning: each share takes its stretch of the batch's triangles.
-    fn set_up(&mut self, pass: &Pass<'_>, batch: &Batch<'_>, grid: TileGrid) {
+    fn set_up(&mut self, pass: &Pass<'_>, batch: &Batch<'_>, grid: TileGrid, format: DepthFormat) {
         let count = batch.triangles.div_ceil(LEAST_SHARE).clamp(1, self.threads);
         self.shares.resize_with(count, Share::default);
         let size = batch.triangles.div_ceil(count).next_multiple_of(16);
@@ -193,11 +210,13 @@ impl Renderer {
                 let (corners, source) = (run.corners(assembled), run.source(assembled));
                 let positions = |places: [usize; 3]| places.map(|place| call.position(source.vertex(place)));
                 let (cull_clockwise, cull_counter_clockwise) = culled(call.state().cull, call.state().front_face);
+                let bias = Bias::new(&call.state().depth_bias, format);
                 let state = SetupState {
                     grid,
                     rect: run.rect,
                     cull_clockwise,
                     cull_counter_clockwise,
+                    bias,
                     projection: &run.projection,
                     positions: &positions,
                 };
@@ -215,14 +234,16 @@ impl Renderer {
         let (width, height) = (target.width, target.height);
         let wants = Wants {
             color: ColorFormat::of(target),
-            depth: target.depth.is_some(),
+            depth: !target.depth.is_none(),
+            stencil: target.stencil.is_some() || uses_stencil(pass),
             ids: target.triangle_ids.is_some()
                 || target.instance_ids.is_some()
                 || target.draw_ids.is_some()
                 || target.barycentrics.is_some(),
             hits: target.hits.is_some(),
         };
-        let clear_depth = pass.clear_depth.map(|z| if z > 0.0 { z.min(1.0) } else { 0.0 });
+        let depth_format = target.depth.format();
+        let clear_depth = pass.clear_depth.map(|z| depth_format.rounded(f32::from_bits(loaded_depth(z) as u32)));
         let painting = Painting {
             level: self.level,
             grid,
@@ -236,9 +257,11 @@ impl Renderer {
             start: Start {
                 color: pass.clear_color.filter(|_| is_first),
                 depth: clear_depth.filter(|_| is_first),
+                stencil: pass.clear_stencil.filter(|_| is_first),
                 is_first,
             },
             wants,
+            depth_format,
         };
         let queue = TileQueue::new(&grid);
         let jobs = 0..self.painters.len().min(grid.tile_count());
@@ -280,15 +303,21 @@ fn culled(cull: Cull, front: FrontFace) -> (bool, bool) {
     }
 }
 
-/// The target, with a depth buffer of ours if it has none and there is more than one flush.
-fn with_depth<'a>(target: &'a mut Target<'_>, depth: &'a mut [f32], flushes: usize) -> Target<'a> {
+/// Whether a draw tests stencil values.
+fn uses_stencil(pass: &Pass<'_>) -> bool {
+    pass.draws.iter().any(|call| call.state().stencil.is_some())
+}
+
+/// The target, with a depth buffer of ours if it has none and there is more than one flush; the same for the stencil buffer, if that is used.
+fn with_own<'a>(target: &'a mut Target<'_>, depth: &'a mut [f32], stencil: &'a mut [u8], flushes: usize) -> Target<'a> {
     let pixels = target.width as usize * target.height as usize;
     let own = (flushes > 1 && target.depth.is_none()).then(|| &mut depth[..pixels]);
     Target {
         width: target.width,
         height: target.height,
         color: target.color.reborrow(),
-        depth: target.depth.as_deref_mut().or(own),
+        depth: own.map_or(target.depth.reborrow(), DepthBuffer::D32F),
+        stencil: target.stencil.as_deref_mut().or(stencil.get_mut(..pixels)),
         triangle_ids: target.triangle_ids.as_deref_mut(),
         instance_ids: target.instance_ids.as_deref_mut(),
         draw_ids: target.draw_ids.as_deref_mut(),

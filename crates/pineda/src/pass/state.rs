@@ -1,6 +1,6 @@
 //! The fixed-function settings of a draw: plain structs with defaults.
 
-use super::{PrimitiveTopology, ProvokingVertex};
+use super::{Blend, ColorMask, PrimitiveTopology, ProvokingVertex, StencilState};
 
 /// Everything about a draw that is not its shader or its mesh.
 ///
@@ -8,7 +8,7 @@ use super::{PrimitiveTopology, ProvokingVertex};
 /// use pineda::{Cull, DrawState};
 /// let state = DrawState { cull: Cull::Back, ..DrawState::default() };
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Default)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DrawState {
     /// The space that the vertex stage's positions are in.
     pub space: Space,
@@ -51,10 +51,47 @@ pub struct DrawState {
     pub front_face: FrontFace,
     /// The depth test.
     pub depth: DepthState,
+    /// By how much depths are moved before they are tested.
+    pub depth_bias: DepthBias,
+    /// Whether what lies before the near plane or beyond the far one is drawn, with the nearest or farthest depth of the viewport, instead of
+    /// being clipped. What lies behind the eye is clipped nevertheless.
+    pub depth_clamp: bool,
+    /// The stencil test; `None` for none.
+    pub stencil: Option<StencilState>,
     /// How the fragment's colour meets the target's.
     pub blend: Blend,
+    /// Which channels of the target are written.
+    pub color_mask: ColorMask,
     /// The part of the target that is drawn to; all of it when `None`.
     pub viewport: Option<Viewport>,
+    /// Nothing is drawn outside of it; no bounds but the viewport's when `None`.
+    pub scissor: Option<Scissor>,
+}
+
+impl DrawState {
+    /// What [`DrawState::default`] returns, for constants.
+    pub const DEFAULT: Self = Self {
+        space: Space::Clip,
+        topology: PrimitiveTopology::TriangleList,
+        primitive_restart: false,
+        provoking_vertex: ProvokingVertex::First,
+        cull: Cull::None,
+        front_face: FrontFace::CounterClockwise,
+        depth: DepthState { compare: Compare::Less, write: true },
+        depth_bias: DepthBias::NONE,
+        depth_clamp: false,
+        stencil: None,
+        blend: Blend::OPAQUE,
+        color_mask: ColorMask::ALL,
+        viewport: None,
+        scissor: None,
+    };
+}
+
+impl Default for DrawState {
+    fn default() -> Self {
+        Self::DEFAULT
+    }
 }
 
 /// The space of the positions that a vertex stage returns.
@@ -112,6 +149,41 @@ impl Default for DepthState {
     }
 }
 
+/// Moves a triangle's depths, so that a decal does not fight with what it lies on, or a shadow map with what casts the shadow:
+///
+/// ```text
+/// offset = constant * 2^(exponent(max |z|) - 23) + slope * max(|dz/dx|, |dz/dy|)
+/// ```
+///
+/// limited to `clamp` if that is not 0: from above if it is positive, from below if it is negative. The exponent is the one of the largest depth in the
+/// triangle; on unorm depth buffers the power of two is the step from one code to the next instead. Depths are in the target's range, slopes a pixel.
+/// The sum is clamped to the viewport's range of depths.
+///
+/// ```
+/// use pineda::{DepthBias, DrawState};
+/// // Towards the eye, by two units and twice the slope.
+/// let decal = DrawState { depth_bias: DepthBias { constant: -2.0, slope: -2.0, clamp: 0.0 }, ..DrawState::default() };
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub struct DepthBias {
+    /// In units of the depth's last place. Finite.
+    pub constant: f32,
+    /// In slopes of the triangle. Finite.
+    pub slope: f32,
+    /// What the offset may not exceed; 0 for no such limit. Finite.
+    pub clamp: f32,
+}
+
+impl DepthBias {
+    /// Depths stay as they are.
+    pub const NONE: Self = Self { constant: 0.0, slope: 0.0, clamp: 0.0 };
+
+    pub(crate) fn validate(&self) -> Result<(), &'static str> {
+        let all = [("constant", self.constant), ("slope", self.slope), ("clamp", self.clamp)];
+        all.into_iter().find(|(_, value)| !value.is_finite()).map_or(Ok(()), |(field, _)| Err(field))
+    }
+}
+
 /// A comparison of a fragment's depth with the one that is there.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Default)]
 pub enum Compare {
@@ -162,30 +234,29 @@ impl Compare {
     }
 }
 
-/// How a fragment's colour meets the target's, in linear light.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
-pub enum Blend {
-    /// It replaces it.
-    #[default]
-    Opaque,
-    /// Porter and Duff's "over" with straight alpha: `c = s.c s.a + d.c (1 - s.a)`, `a = s.a + d.a (1 - s.a)`.
-    SourceOver,
-    /// "Over" with colours that are already multiplied by their alpha: `c = s.c + d.c (1 - s.a)`, alpha likewise.
-    PremultipliedSourceOver,
-}
-
 /// The rectangle of the target that clip space's square maps to, and the range that depth maps to.
 ///
-/// Nothing is drawn outside the rectangle. Its corners are rounded to the nearest whole pixel for that purpose only.
+/// Nothing is drawn outside the rectangle. Its corners are rounded to the nearest whole pixel for that purpose only. It may lie anywhere, partly or
+/// wholly outside the target.
+///
+/// With a negative height the rectangle reaches from `y` upwards, and the picture is upside down, as in Vulkan since 1.1 (where that is how y
+/// comes to point up; here it does already). Winding is decided on the picture: what was a front shows its back. In [`Space::Raster`]
+/// the sign makes no difference.
+///
+/// ```
+/// use pineda::Viewport;
+/// let upright = Viewport::whole(640, 480);
+/// let upside_down = Viewport { y: 480.0, height: -480.0, ..upright };
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Viewport {
     /// Its left border in pixels from the target's.
     pub x: f32,
-    /// Its upper border in pixels from the target's.
+    /// Its upper border (the lower one if the height is negative) in pixels from the target's upper border.
     pub y: f32,
     /// Pixels across.
     pub width: f32,
-    /// Pixels down.
+    /// Pixels down; negative to turn the picture upside down.
     pub height: f32,
     /// What z = 0 maps to, in 0 to 1.
     pub min_depth: f32,
@@ -206,10 +277,11 @@ impl Viewport {
         if ![x, y, width, height, min_depth, max_depth].iter().all(|v| v.is_finite()) {
             return Err("all of its numbers must be finite");
         }
-        if width <= 0.0 || height <= 0.0 {
-            return Err("its width and height must be positive");
+        if width <= 0.0 || height == 0.0 {
+            return Err("its width must be positive and its height must not be 0");
         }
-        if x < -limit || y < -limit || x + width > limit || y + height > limit {
+        let (top, bottom) = (y.min(y + height), y.max(y + height));
+        if x < -limit || top < -limit || x + width > limit || bottom > limit {
             return Err("it must lie within 32,768 pixels of the target's corner");
         }
         if ![min_depth, max_depth].iter().all(|d| (0.0..=1.0).contains(d)) {
@@ -217,4 +289,22 @@ impl Viewport {
         }
         Ok(())
     }
+}
+
+/// A rectangle of whole pixels that bounds what a draw covers. It may reach beyond the target, and may be empty.
+///
+/// ```
+/// use pineda::{DrawState, Scissor};
+/// let state = DrawState { scissor: Some(Scissor { x: 10, y: 20, width: 300, height: 200 }), ..DrawState::default() };
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Scissor {
+    /// Its first column, from the target's left border.
+    pub x: i32,
+    /// Its first row, from the target's upper border.
+    pub y: i32,
+    /// Columns.
+    pub width: u32,
+    /// Rows.
+    pub height: u32,
 }

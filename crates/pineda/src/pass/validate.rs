@@ -101,6 +101,7 @@ fn extent(draw: usize, call: &(dyn DrawCall + '_)) -> Result<DrawExtent, Error> 
     if let Some(viewport) = state.viewport {
         viewport.validate().map_err(|reason| Error::Viewport { draw, reason })?;
     }
+    state.depth_bias.validate().map_err(|field| Error::DepthBias { draw, field })?;
     let (vertices, instances, count) = (call.vertex_count(), call.instance_count(), length(call));
     let triangles = if state.topology == PrimitiveTopology::TriangleList {
         if state.primitive_restart {

@@ -2,6 +2,7 @@
 
 pub(crate) mod bins;
 pub(crate) mod corners;
+pub(crate) mod depth_bias;
 pub(crate) mod record;
 pub(crate) mod setup;
 pub(crate) mod top_left;

@@ -4,6 +4,7 @@
 //! them hold the depth's plane, anchored at the first vertex in canonical order: `z = (z0 + dz_dx fx) + dz_dy fy`, where fx and fy
 //! are the sample's distances from that vertex in pixels.
 
+use super::depth_bias::Bias;
 use crate::geometry::raster_space::SUBPIXELS;
 
 /// The largest width and height, in pixels, of a small triangle's box of samples.
@@ -86,6 +87,15 @@ impl LargeTriangle {
         let scale = f64::from(SUBPIXELS) / (ax * by - bx * ay);
         self.0[4] = (((dz1 * by - dz2 * ay) * scale) as f32).to_bits();
         self.0[5] = (((dz2 * ax - dz1 * bx) * scale) as f32).to_bits();
+        self
+    }
+
+    /// Moves the depth's plane: by the offset of the triangle that this one was clipped from, or its own.
+    pub(crate) fn with_bias(mut self, bias: &Bias, offset_of_whole: Option<f32>) -> Self {
+        let [z0, dz_dx, dz_dy] = [3, 4, 5].map(|word| f32::from_bits(self.0[word]));
+        let depths = [3, 13, 14].map(|word| f32::from_bits(self.0[word]));
+        let offset = offset_of_whole.unwrap_or_else(|| bias.offset(&depths, dz_dx, dz_dy));
+        self.0[3] = (z0 + offset).to_bits();
         self
     }
 

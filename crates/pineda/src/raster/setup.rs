@@ -12,6 +12,7 @@
 
 use super::bins::{BinEntry, Kind, Share, TileGrid};
 use super::corners::{Corners, Sixteen};
+use super::depth_bias::Bias;
 use super::record::{LargeTriangle, MID_EXTENT, MidTriangle, SMALL_EXTENT, SampleBox, SmallTriangle};
 use super::top_left::is_top_left;
 use super::triangle_id::{CLIPPED_CLOCKWISE, CLIPPED_COUNTER_CLOCKWISE, ORDER_BITS, TriangleId};
@@ -38,6 +39,7 @@ pub(crate) struct SetupState<'a> {
     pub(crate) rect: PixelRect,
     pub(crate) cull_clockwise: bool,
     pub(crate) cull_counter_clockwise: bool,
+    pub(crate) bias: Option<Bias>,
     pub(crate) projection: &'a Projection,
     /// Runs a draw's vertex stage again, for a triangle that needs clipping: the positions of vertices by their places.
     pub(crate) positions: &'a (dyn Fn([usize; 3]) -> [[f32; 4]; 3] + Sync),
@@ -114,33 +116,45 @@ fn careful<S: Simd>(
         return;
     }
     share.statistics.clipped += 1;
-    let Some(clipped) = clip(state.projection, (state.positions)(places), vertices) else { return };
+    let positions = (state.positions)(places);
+    let Some(clipped) = clip(state.projection, positions, vertices) else { return };
     if if clipped.is_clockwise { state.cull_clockwise } else { state.cull_counter_clockwise } {
         return;
     }
+    let offset = state.bias.map_or(0.0, |bias| {
+        let depths: Vec<f32> = clipped.triangles().as_flattened().iter().map(|v| v.z()).collect();
+        bias.offset_of_clipped(state.projection, positions, &depths)
+    });
     s.vectorize(
         #[inline(always)]
-        || emit_clipped(s, state, &clipped, number, share),
+        || emit_clipped(s, state, &clipped, offset, number, share),
     );
 }
 
 #[inline(always)]
-fn emit_clipped<S: Simd>(s: S, state: &SetupState<'_>, clipped: &Clipped, number: usize, share: &mut Share) {
+fn emit_clipped<S: Simd>(
+    s: S,
+    state: &SetupState<'_>,
+    clipped: &Clipped,
+    offset: f32,
+    number: usize,
+    share: &mut Share,
+) {
     let code = if clipped.is_clockwise { CLIPPED_CLOCKWISE } else { CLIPPED_COUNTER_CLOCKWISE };
     let id = i32x16::splat(s, (TriangleId::first(number) | code) as i32);
     let triangles = Sixteen::from_triangles(s, clipped.triangles());
-    emit(s, state, &triangles, id, Some(()), (1 << clipped.triangles().len()) - 1, share);
+    emit(s, state, &triangles, id, Some(offset), (1 << clipped.triangles().len()) - 1, share);
 }
 
 /// Sets up those of sixteen triangles on the raster that `lanes` has bits for. `ids` hold order code 0, unless the triangles are
-/// parts of a clipped one.
+/// parts of a clipped one: then `clipped` is the offset of their depths.
 #[inline(always)]
 fn emit<S: Simd>(
     s: S,
     state: &SetupState<'_>,
     triangles: &Sixteen<S>,
     ids: i32x16<S>,
-    clipped: Option<()>,
+    clipped: Option<f32>,
     lanes: u64,
     share: &mut Share,
 ) {
@@ -182,7 +196,7 @@ fn emit<S: Simd>(
     let x = order.apply(triangles.x);
     let y = order.apply(triangles.y);
     let z = order.apply([z[0].bitcast(), z[1].bitcast(), z[2].bitcast()]);
-    let z: [f32x16<S>; 3] = [z[0].bitcast(), z[1].bitcast(), z[2].bitcast()];
+    let mut z: [f32x16<S>; 3] = [z[0].bitcast(), z[1].bitcast(), z[2].bitcast()];
     let ids = if clipped.is_some() { ids } else { ids + order.code(s) };
 
     let (ax, ay, bx, by) = (x[1] - x[0], y[1] - y[0], x[2] - x[0], y[2] - y[0]);
@@ -198,6 +212,14 @@ fn emit<S: Simd>(
     let dz_dx = (dz1 * float(by) - dz2 * float(ay)) * scale;
     let dz_dy = (dz2 * float(ax) - dz1 * float(bx)) * scale;
 
+    if let Some(bias) = state.bias {
+        // A large triangle's plane comes later.
+        let offset = match clipped {
+            Some(offset) => f32x16::splat(s, offset),
+            None => bias.offsets(s, z, dz_dx, dz_dy),
+        };
+        z[0] = is_large.select(z[0], z[0] + offset);
+    }
     let facts = Facts { ids, x, y, z, dz_dx, dz_dy, column0, column1, row0, row1, edges };
     let (columns, rows) = (column1 - column0, row1 - row0);
     let is_small = columns.simd_lt(SMALL_EXTENT) & rows.simd_lt(SMALL_EXTENT) & live & !is_large;
@@ -243,6 +265,7 @@ fn emit<S: Simd>(
         } else {
             let entry = BinEntry::new(Kind::Large, share.large.len());
             let record = LargeTriangle(large_rows[lane]).with_precise_plane();
+            let record = state.bias.map_or(record, |bias| record.with_bias(&bias, clipped));
             share.large.push(record);
             bin_large(&mut share.bins, &state.grid, tiles, entry, &record);
         }

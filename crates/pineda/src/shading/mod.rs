@@ -203,12 +203,19 @@ mod shader;
 mod stage;
 mod varyings;
 
+mod barycentric;
 mod blend;
+mod by_lane;
+pub(crate) mod cached;
 pub(crate) mod distinct;
+mod few;
+mod in_full;
 pub(crate) mod interpolate;
+mod large;
 pub(crate) mod packet;
 pub(crate) mod run;
 pub(crate) mod shade;
+pub(crate) mod stencil;
 pub(crate) mod weights;
 
 pub(crate) use fragment::FragParts;

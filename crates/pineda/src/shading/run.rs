@@ -84,4 +84,20 @@ impl RunView<'_> {
         let order = ORDERS[id.order_code() as usize & 7];
         [places[order[0] as usize % 3], places[order[1] as usize % 3], places[order[2] as usize % 3]]
     }
+
+    /// Varying `k` at the first vertex and by how much the others exceed it; of a flat one, at the provoking vertex.
+    #[inline(always)]
+    pub(crate) fn vertex_values(&self, each: usize, places: &[usize; 4], k: usize, is_flat: bool) -> [f32; 3] {
+        if is_flat {
+            return [self.word(each, places[3], k), 0.0, 0.0];
+        }
+        let f0 = self.word(each, places[0], k);
+        [f0, self.word(each, places[1], k) - f0, self.word(each, places[2], k) - f0]
+    }
+
+    #[inline(always)]
+    fn word(&self, each: usize, place: usize, k: usize) -> f32 {
+        let at = RECORD_HEADER + k;
+        f32::from_bits(self.records[place * each + at / 4][at % 4])
+    }
 }

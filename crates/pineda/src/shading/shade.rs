@@ -1,15 +1,19 @@
 //! From covered or visible samples to colours in the tile: interpolation, the user's fragment stage, blending.
 
 use super::blend::blend;
-use super::distinct::{Distinct, Fragments};
-use super::interpolate::{Last, interpolate};
-use super::packet::{BATCH, PacketBatch, PacketState, VaryingLayout};
+use super::cached::TriangleCache;
+use super::distinct::Distinct;
+use super::interpolate::interpolate;
+use super::large::Last;
+use super::packet::{BATCH, PacketBatch, PacketState};
 use super::run::RunView;
+use super::stencil::Tests;
+use crate::pass::ColorMask;
 use crate::pass::draw_call::DrawCall;
-use crate::target::format::{Channels, TileColor};
+use crate::raster::triangle_id::TriangleId;
+use crate::target::format::{Channels, ColorFormat, TileColor};
 use crate::tile::Tile;
-use crate::tile::sink::{AnyCompare, DepthTest};
-use crate::tile::view::{BlockLanes, TileView};
+use crate::tile::view::TileView;
 use crate::wide::{Simd, f32x16, i32x16, mask32x16, u32x16};
 use fearless_simd::Level;
 
@@ -44,14 +48,16 @@ pub(crate) struct Shading<'a> {
     pub(crate) tile: &'a mut Tile,
     pub(crate) color: &'a mut TileColor,
     pub(crate) batch: &'a mut PacketBatch,
+    pub(crate) cache: &'a mut TriangleCache,
 }
 
 /// Shades what the visibility buffer shows: each sample once.
 #[inline(always)]
 pub(crate) fn shade_visible<S: Simd>(s: S, shading: &mut Shading<'_>, packets: &[VisiblePacket]) {
     let layout = shading.call.layout();
-    let (lanes, mut last) = (BlockLanes::new(s), Last::none(s));
-    let mut distinct = [Distinct::NONE; BATCH];
+    let position = |vertex: usize| shading.call.position(vertex);
+    let (mut last, mut distinct) = (Last::none(s), [Distinct::NONE; BATCH]);
+    shading.cache.start(shading.run, layout.interpolation.len());
     let mut first = 0;
     while first < packets.len() {
         let end = (first + BATCH).min(packets.len());
@@ -65,13 +71,13 @@ pub(crate) fn shade_visible<S: Simd>(s: S, shading: &mut Shading<'_>, packets: &
             packet.depth = shading.tile.depth[block as usize];
             i += 1;
         }
-        fill(s, shading, &layout, &lanes, &mut distinct, &mut last);
+        interpolate(s, shading.run, &position, &layout, shading.batch, &mut distinct, &mut last, shading.cache);
         shading.call.run_fragments(shading.level, shading.batch);
         let mut i = 0;
         while i < shading.batch.len() {
             let packet = &shading.batch.packets()[i];
             let alive = mask32x16::from_bitmask(s, u64::from(packet.alive));
-            shading.color.store(s, packet.block as usize, alive, channels(s, packet));
+            shading.color.store(s, packet.block as usize, alive, channels(s, packet), ColorMask::ALL);
             i += 1;
         }
         first = end;
@@ -82,8 +88,13 @@ pub(crate) fn shade_visible<S: Simd>(s: S, shading: &mut Shading<'_>, packets: &
 #[inline(always)]
 pub(crate) fn shade_in_order<S: Simd>(s: S, shading: &mut Shading<'_>, packets: &[OrderedPacket]) {
     let layout = shading.call.layout();
-    let (lanes, mut last) = (BlockLanes::new(s), Last::none(s));
-    let mut distinct = [Distinct::NONE; BATCH];
+    let position = |vertex: usize| shading.call.position(vertex);
+    let (mut last, mut distinct) = (Last::none(s), [Distinct::NONE; BATCH]);
+    shading.cache.start(shading.run, layout.interpolation.len());
+    let call = shading.call;
+    let (state, discards) = (call.state(), call.discards());
+    let tests = Tests { state, front_is_clockwise: shading.run.front_is_clockwise };
+    let is_shaded = discards || (state.color_mask != ColorMask::NONE && shading.color.format != ColorFormat::None);
     let mut first = 0;
     while first < packets.len() {
         shading.batch.start(&layout, shading.run.front_is_clockwise);
@@ -94,10 +105,23 @@ pub(crate) fn shade_in_order<S: Simd>(s: S, shading: &mut Shading<'_>, packets: 
             if contains(shading.batch, packet.block) {
                 break;
             }
-            let there = i32x16::simd_from(s, shading.tile.depth[packet.block as usize]);
+            let block = packet.block as usize;
             let covered = mask32x16::from_bitmask(s, u64::from(packet.mask));
-            let test = AnyCompare(shading.call.state().depth.compare);
-            let mask = (covered & test.passes(s, i32x16::simd_from(s, packet.depth), there)).to_bitmask() as u32;
+            let id = TriangleId(packet.id);
+            let tested = tests.of(s, shading.tile, id, block, covered, &packet.depth);
+            let mut mask = tested.both;
+            if !discards {
+                tested.update(s, shading.tile, block);
+            } else if tested.failing_counts() {
+                // Whether they do anything is for the fragment stage to say.
+                mask = covered;
+            }
+            let mask = mask.to_bitmask() as u32;
+            if !is_shaded {
+                keep(s, shading.tile, state.depth.write, block, tested.both, &packet.depth, &[packet.id; 16]);
+                next += 1;
+                continue;
+            }
             if mask != 0 {
                 let (x, y) = shading.view.pixel_of(packet.block as usize);
                 let new = shading.batch.add();
@@ -106,7 +130,7 @@ pub(crate) fn shade_in_order<S: Simd>(s: S, shading: &mut Shading<'_>, packets: 
             }
             next += 1;
         }
-        fill(s, shading, &layout, &lanes, &mut distinct, &mut last);
+        interpolate(s, shading.run, &position, &layout, shading.batch, &mut distinct, &mut last, shading.cache);
         shading.call.run_fragments(shading.level, shading.batch);
         merge(s, shading);
         first = next;
@@ -124,56 +148,50 @@ fn contains(batch: &PacketBatch, block: u32) -> bool {
     found
 }
 
-/// Interpolates the packets of a batch.
-#[inline(always)]
-fn fill<S: Simd>(
-    s: S,
-    shading: &mut Shading<'_>,
-    layout: &VaryingLayout,
-    lanes: &BlockLanes<S>,
-    distinct: &mut [Distinct; BATCH],
-    last: &mut Last<S>,
-) {
-    let (call, run) = (shading.call, shading.run);
-    let position = |vertex: usize| call.position(vertex);
-    let mut k = 0;
-    while k < shading.batch.len() {
-        distinct[k & (BATCH - 1)].set(s, layout, &fragments(&shading.batch.packets()[k]));
-        k += 1;
-    }
-    let mut k = 0;
-    while k < shading.batch.len() {
-        let (packet, mut rows) = shading.batch.packet(k);
-        let distinct = &distinct[k & (BATCH - 1)];
-        interpolate(s, run, &position, layout, &fragments(packet), distinct, lanes, last, &mut rows);
-        k += 1;
-    }
-}
-
-#[inline(always)]
-fn fragments(packet: &PacketState) -> Fragments<'_> {
-    Fragments { ids: &packet.ids, mask: packet.alive, x: packet.x, y: packet.y }
-}
-
 /// Brings the colours of a batch of ordered packets into the tile.
 #[inline(always)]
 fn merge<S: Simd>(s: S, shading: &mut Shading<'_>) {
-    let state = shading.call.state();
+    let (state, discards) = (shading.call.state(), shading.call.discards());
+    let tests = Tests { state, front_is_clockwise: shading.run.front_is_clockwise };
+    let (replaces, is_unorm) = (state.blend.replaces(), shading.color.format.is_unorm());
     let mut i = 0;
     while i < shading.batch.len() {
         let packet = &shading.batch.packets()[i];
         let block = packet.block as usize;
-        let alive = mask32x16::from_bitmask(s, u64::from(packet.alive));
-        if state.depth.write {
-            let there = &mut shading.tile.depth[block];
-            *there = alive.select(i32x16::simd_from(s, packet.depth), i32x16::simd_from(s, *there)).into();
+        let mut alive = mask32x16::from_bitmask(s, u64::from(packet.alive));
+        if discards && state.stencil.is_some() {
+            let id = TriangleId(packet.ids[0]);
+            let tested = tests.of(s, shading.tile, id, block, alive, &packet.depth);
+            tested.update(s, shading.tile, block);
+            alive = tested.both;
         }
-        let color = blend(s, state.blend, channels(s, packet), shading.color.load(s, block));
-        shading.color.store(s, block, alive, color);
-        if let Some(shown) = shading.tile.shown.get_mut(block) {
-            *shown = alive.select(u32x16::simd_from(s, packet.ids), u32x16::simd_from(s, *shown)).into();
+        keep(s, shading.tile, state.depth.write, block, alive, &packet.depth, &packet.ids);
+        let mut color = channels(s, packet);
+        if !replaces {
+            color = blend(s, &state.blend, is_unorm, color, shading.color.load(s, block));
         }
+        shading.color.store(s, block, alive, color, state.color_mask);
         i += 1;
+    }
+}
+
+/// What the samples that passed leave in the tile, but for colour and stencil.
+#[inline(always)]
+fn keep<S: Simd>(
+    s: S,
+    tile: &mut Tile,
+    writes_depth: bool,
+    block: usize,
+    passed: mask32x16<S>,
+    depth: &[i32; 16],
+    ids: &[u32; 16],
+) {
+    if writes_depth {
+        let there = &mut tile.depth[block];
+        *there = passed.select(i32x16::simd_from(s, *depth), i32x16::simd_from(s, *there)).into();
+    }
+    if let Some(shown) = tile.shown.get_mut(block) {
+        *shown = passed.select(u32x16::simd_from(s, *ids), u32x16::simd_from(s, *shown)).into();
     }
 }
 

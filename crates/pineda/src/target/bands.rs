@@ -1,7 +1,7 @@
 //! The target cut into bands, one row of tiles each, so that threads write to it without `unsafe`: a thread locks the
 //! band for as long as it takes to copy one tile.
 
-use super::{ColorBuffer, Target};
+use super::{ColorBuffer, DepthBuffer, Target};
 use crate::tile::view::TileView;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
@@ -9,7 +9,8 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 #[derive(Debug)]
 pub(crate) struct Band<'a> {
     pub(crate) color: ColorBuffer<'a>,
-    pub(crate) depth: Option<&'a mut [f32]>,
+    pub(crate) depth: DepthBuffer<'a>,
+    pub(crate) stencil: Option<&'a mut [u8]>,
     pub(crate) triangle_ids: Option<&'a mut [u32]>,
     pub(crate) instance_ids: Option<&'a mut [u32]>,
     pub(crate) draw_ids: Option<&'a mut [u32]>,
@@ -27,7 +28,8 @@ impl<'a> Bands<'a> {
         let rows = side * target.width as usize;
         let count = (target.height as usize).div_ceil(side);
         let mut color = color_chunks(&mut target.color, rows);
-        let mut depth = chunks(&mut target.depth, rows);
+        let mut depth = depth_chunks(&mut target.depth, rows);
+        let mut stencil = chunks(&mut target.stencil, rows);
         let mut triangle_ids = chunks(&mut target.triangle_ids, rows);
         let mut instance_ids = chunks(&mut target.instance_ids, rows);
         let mut draw_ids = chunks(&mut target.draw_ids, rows);
@@ -36,7 +38,8 @@ impl<'a> Bands<'a> {
         let band = |_| {
             Mutex::new(Band {
                 color: color.next().unwrap_or_default(),
-                depth: depth.next(),
+                depth: depth.next().unwrap_or_default(),
+                stencil: stencil.next(),
                 triangle_ids: triangle_ids.next(),
                 instance_ids: instance_ids.next(),
                 draw_ids: draw_ids.next(),
@@ -63,6 +66,15 @@ fn color_chunks<'a>(color: &'a mut ColorBuffer<'_>, rows: usize) -> Box<dyn Iter
         ColorBuffer::Rgba8(pixels) => Box::new(pixels.chunks_mut(rows).map(ColorBuffer::Rgba8)),
         ColorBuffer::Rgba8Srgb(pixels) => Box::new(pixels.chunks_mut(rows).map(ColorBuffer::Rgba8Srgb)),
         ColorBuffer::Rgba32F(pixels) => Box::new(pixels.chunks_mut(rows).map(ColorBuffer::Rgba32F)),
+    }
+}
+
+fn depth_chunks<'a>(depth: &'a mut DepthBuffer<'_>, rows: usize) -> Box<dyn Iterator<Item = DepthBuffer<'a>> + 'a> {
+    match depth {
+        DepthBuffer::None => Box::new(std::iter::empty()),
+        DepthBuffer::D32F(depths) => Box::new(depths.chunks_mut(rows).map(DepthBuffer::D32F)),
+        DepthBuffer::D24(depths) => Box::new(depths.chunks_mut(rows).map(DepthBuffer::D24)),
+        DepthBuffer::D16(depths) => Box::new(depths.chunks_mut(rows).map(DepthBuffer::D16)),
     }
 }
 
@@ -108,13 +120,17 @@ impl TileRows {
 
     /// Gives all pixels one value.
     pub(crate) fn fill<T: Copy>(&self, band: &mut [T], value: T) {
-        self.update(band, |_| value);
+        for row in self.rows_of(band) {
+            row.fill(value);
+        }
     }
 
     /// Replaces each pixel's value.
     pub(crate) fn update<T: Copy>(&self, band: &mut [T], new: impl Fn(T) -> T) {
-        for pixel in self.rows_of(band).flatten() {
-            *pixel = new(*pixel);
+        for row in self.rows_of(band) {
+            for pixel in row {
+                *pixel = new(*pixel);
+            }
         }
     }
 

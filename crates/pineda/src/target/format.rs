@@ -2,6 +2,7 @@
 
 use super::srgb::SRGB;
 use super::{ColorBuffer, Target};
+use crate::pass::ColorMask;
 use crate::wide::{Simd, f32x16, i32x16, mask32x16, u32x16};
 
 /// A format of [`ColorBuffer`].
@@ -21,6 +22,11 @@ impl ColorFormat {
             ColorBuffer::Rgba8Srgb(_) => Self::Rgba8Srgb,
             ColorBuffer::Rgba32F(_) => Self::Rgba32F,
         }
+    }
+
+    /// Whether it holds numbers from 0 to 1 and no others.
+    pub(crate) fn is_unorm(self) -> bool {
+        matches!(self, Self::Rgba8 | Self::Rgba8Srgb)
     }
 
     /// A colour's codes in an 8-bit format, red in the low byte.
@@ -97,33 +103,58 @@ impl TileColor {
         }
     }
 
-    /// Encodes and stores the colours of some of a block's samples.
+    /// Encodes and stores channels of the colours of some of a block's samples.
     #[inline(always)]
-    pub(crate) fn store<S: Simd>(&mut self, s: S, block: usize, mask: mask32x16<S>, color: Channels<S>) {
+    pub(crate) fn store<S: Simd>(
+        &mut self,
+        s: S,
+        block: usize,
+        mask: mask32x16<S>,
+        color: Channels<S>,
+        channels: ColorMask,
+    ) {
+        let written = channels.channels();
         match self.format {
             ColorFormat::None => {}
             ColorFormat::Rgba8 => {
                 let [r, g, b, a] = color;
                 let packed =
                     to_unorm8(s, r) | (to_unorm8(s, g) << 8) | (to_unorm8(s, b) << 16) | (to_unorm8(s, a) << 24);
-                let there = u32x16::simd_from(s, self.packed[block]);
-                self.packed[block] = mask.select(packed, there).into();
+                self.store_packed(s, block, mask, packed, written);
             }
             ColorFormat::Rgba8Srgb => {
                 let alpha = to_unorm8(s, color[3]) << 24;
                 let packed = encode_srgb(s, color[0], color[1], color[2]) | alpha;
-                let there = u32x16::simd_from(s, self.packed[block]);
-                self.packed[block] = mask.select(packed, there).into();
+                self.store_packed(s, block, mask, packed, written);
             }
             ColorFormat::Rgba32F => {
                 let mut k = 0;
                 while k < 4 {
-                    let there = f32x16::simd_from(s, self.float[block][k]);
-                    self.float[block][k] = mask.select(one_nan(s, color[k]), there).into();
+                    if written[k] {
+                        let there = f32x16::simd_from(s, self.float[block][k]);
+                        self.float[block][k] = mask.select(one_nan(s, color[k]), there).into();
+                    }
                     k += 1;
                 }
             }
         }
+    }
+
+    #[inline(always)]
+    fn store_packed<S: Simd>(
+        &mut self,
+        s: S,
+        block: usize,
+        mask: mask32x16<S>,
+        mut packed: u32x16<S>,
+        written: [bool; 4],
+    ) {
+        let there = u32x16::simd_from(s, self.packed[block]);
+        if written != [true; 4] {
+            let bytes = u32::from_le_bytes(written.map(|written| if written { 255 } else { 0 }));
+            packed = (packed & bytes) | (there & !bytes);
+        }
+        self.packed[block] = mask.select(packed, there).into();
     }
 }
 
@@ -131,6 +162,14 @@ impl TileColor {
 #[inline(always)]
 pub(crate) fn one_nan<S: Simd>(s: S, x: f32x16<S>) -> f32x16<S> {
     x.simd_eq(x).select(x, f32x16::splat(s, f32::from_bits(0x7fc0_0000)))
+}
+
+/// Clamps to 0 to 1; NaN counts as 0.
+#[inline(always)]
+pub(crate) fn clamp_unorm<S: Simd>(s: S, x: f32x16<S>) -> f32x16<S> {
+    let (zero, one) = (f32x16::splat(s, 0.0), f32x16::splat(s, 1.0));
+    let x = x.simd_gt(zero).select(x, zero);
+    x.simd_lt(one).select(x, one)
 }
 
 /// `round(255 x)` of a value clamped to 0 to 1; NaN counts as 0.
@@ -142,10 +181,7 @@ pub(crate) fn unorm8(x: f32) -> u8 {
 
 #[inline(always)]
 fn to_unorm8<S: Simd>(s: S, x: f32x16<S>) -> u32x16<S> {
-    let (zero, one) = (f32x16::splat(s, 0.0), f32x16::splat(s, 1.0));
-    let x = x.simd_gt(zero).select(x, zero);
-    let x = x.simd_lt(one).select(x, one);
-    let code: i32x16<S> = (x * 255.0 + 0.5).to_int();
+    let code: i32x16<S> = (clamp_unorm(s, x) * 255.0 + 0.5).to_int();
     code.bitcast()
 }
 

@@ -1,8 +1,11 @@
 //! Where a pass draws to: buffers in the caller's memory, row-major, the top row first.
 
 pub(crate) mod bands;
+pub(crate) mod depth;
 pub(crate) mod format;
 pub(crate) mod srgb;
+
+pub use depth::DepthBuffer;
 
 use crate::Error;
 
@@ -15,13 +18,13 @@ pub const NO_ID: u32 = u32::MAX;
 /// The buffers that a pass draws into. Each holds `width * height` elements, row by row from the top; those that are `None` are not written.
 ///
 /// ```
-/// use pineda::{ColorBuffer, Target};
+/// use pineda::{ColorBuffer, DepthBuffer, Target};
 /// let (width, height) = (640, 480);
 /// let mut pixels = vec![[0u8; 4]; 640 * 480];
 /// let mut depth = vec![0f32; 640 * 480];
 /// let target = Target {
 ///     color: ColorBuffer::Rgba8Srgb(&mut pixels),
-///     depth: Some(&mut depth),
+///     depth: DepthBuffer::D32F(&mut depth),
 ///     ..Target::new(width, height)
 /// };
 /// ```
@@ -33,8 +36,10 @@ pub struct Target<'a> {
     pub height: u32,
     /// The picture.
     pub color: ColorBuffer<'a>,
-    /// Depth in 0 to 1, linear in raster space.
-    pub depth: Option<&'a mut [f32]>,
+    /// Depth, linear in raster space.
+    pub depth: DepthBuffer<'a>,
+    /// Stencil values.
+    pub stencil: Option<&'a mut [u8]>,
     /// The triangle that each pixel shows, counted from 0 within its draw, and anew in each instance; [`NO_ID`] where there is none.
     pub triangle_ids: Option<&'a mut [u32]>,
     /// The instance of the draw that each pixel shows, counted from 0; 0 for draws without instances, [`NO_ID`] where there is nothing.
@@ -82,7 +87,8 @@ impl Target<'_> {
             width,
             height,
             color: ColorBuffer::None,
-            depth: None,
+            depth: DepthBuffer::None,
+            stencil: None,
             triangle_ids: None,
             instance_ids: None,
             draw_ids: None,
@@ -105,7 +111,8 @@ impl Target<'_> {
         };
         let buffers = [
             ("color", color),
-            ("depth", self.depth.as_ref().map(|b| b.len())),
+            ("depth", self.depth.length()),
+            ("stencil", self.stencil.as_ref().map(|b| b.len())),
             ("triangle_ids", self.triangle_ids.as_ref().map(|b| b.len())),
             ("instance_ids", self.instance_ids.as_ref().map(|b| b.len())),
             ("draw_ids", self.draw_ids.as_ref().map(|b| b.len())),

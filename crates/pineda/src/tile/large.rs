@@ -4,7 +4,7 @@
 //! everywhere inside, and the edge is forgotten (its steps become 0). In a window, the sixteen blocks are the lanes; in
 //! a block, the sixteen samples are (Abrash 2009, "Rasterization on Larrabee").
 
-use super::sink::Sink;
+use super::sink::{DepthRange, Sink};
 use super::view::{BlockLanes, TileView};
 use crate::geometry::raster_space::{HALF_PIXEL, SUBPIXEL_BITS, SUBPIXELS};
 use crate::raster::record::{DepthPlane, LargeTriangle, SampleBox};
@@ -71,7 +71,7 @@ pub(crate) fn large<S: Simd, K: Sink<S>>(
     let (ax, ay) = t.vertex(0);
     // Distances of a sample from the anchor, in pixels: exact.
     let distance = |first: i32, anchor: i64| (first * SUBPIXELS + HALF_PIXEL - anchor as i32) as f32 / SUBPIXELS as f32;
-    if sink.hides_tile(s, depth_range(&plane, distance(view.x, ax), distance(view.y, ay), view.side).0) {
+    if sink.hides_tile(s, depth_range(&plane, distance(view.x, ax), distance(view.y, ay), view.side)) {
         return;
     }
     let samples = SampleBox::unpack(t.0[1], t.0[2]);
@@ -94,7 +94,7 @@ pub(crate) fn large<S: Simd, K: Sink<S>>(
             let window = (wy * (view.side / WINDOW) + wx) as usize;
             let depths = depth_range(&plane, fx, fy, WINDOW);
             wx += 1;
-            if sink.hides_window(window, depths.0) {
+            if sink.hides_window(window, depths) {
                 continue;
             }
             let (wx_px, wy_px) = ((wx - 1) * WINDOW, wy * WINDOW);
@@ -102,10 +102,10 @@ pub(crate) fn large<S: Simd, K: Sink<S>>(
                 is_inside_all && x0 <= wx_px && x1 >= wx_px + WINDOW - 1 && y0 <= wy_px && y1 >= wy_px + WINDOW - 1;
             if is_whole {
                 whole_window(s, t.0[0], &plane, view.block(wx_px / 4, wy_px / 4), view.stride, fx, fy, lanes, sink);
-                sink.covered_window(window, depths.1);
+                sink.covered_window(window, depths);
                 continue;
             }
-            if sink.hides_blocks(s, view.block(wx_px / 4, wy_px / 4), view.stride, depths.0) {
+            if sink.hides_blocks(s, view.block(wx_px / 4, wy_px / 4), view.stride, depths) {
                 continue;
             }
             let mut candidates = blocks.touched(s, &edges, column, row);
@@ -177,11 +177,11 @@ impl<S: Simd> BlockEdges<S> {
 /// The nearest and the farthest depth of a square of samples, before clamping. Rounding is monotone: no sample's depth, computed by the same
 /// operations, lies outside.
 #[inline(always)]
-fn depth_range(plane: &DepthPlane, fx: f32, fy: f32, side: i32) -> (f32, f32) {
+fn depth_range(plane: &DepthPlane, fx: f32, fy: f32, side: i32) -> DepthRange {
     let last = (side - 1) as f32;
     let (left, right) = (fx * plane.dz_dx + plane.z0, (fx + last) * plane.dz_dx + plane.z0);
     let (top, bottom) = (fy * plane.dz_dy, (fy + last) * plane.dz_dy);
-    (left.min(right) + top.min(bottom), left.max(right) + top.max(bottom))
+    DepthRange { nearest: left.min(right) + top.min(bottom), farthest: left.max(right) + top.max(bottom) }
 }
 
 #[inline(always)]

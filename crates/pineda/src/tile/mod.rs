@@ -20,11 +20,11 @@ use view::TileView;
 pub(crate) struct Tile {
     /// Depths as the bits of f32 in 0 to 1, which compare as integers.
     pub(crate) depth: Vec<[i32; 16]>,
+    /// Stencil values, 0 to 255; empty unless a draw tests them or the target asks for them.
+    pub(crate) stencil: Vec<[i32; 16]>,
     /// The visible triangle of each sample, a [`TriangleId`](crate::raster::triangle_id::TriangleId); 0 is none.
     pub(crate) id: Vec<[u32; 16]>,
-    /// An upper bound of the depths in each 16 x 16 window, row by row. What is not nearer is hidden. Of a smaller tile than 64 x 64, those
-    /// that it does not have are 0.
-    pub(crate) windows: [f32; 16],
+    pub(crate) bounds: Bounds,
     window_count: usize,
     /// The triangle that each sample shows, whether its colour is there already or not; empty unless the target asks for it.
     pub(crate) shown: Vec<[u32; 16]>,
@@ -40,12 +40,26 @@ impl Tile {
         self.id.clear();
         self.id.resize(blocks, [0; 16]);
         self.window_count = (view.side as usize / 16).pow(2);
-        self.bound(depth);
+        self.bounds = Bounds { farthest: [0.0; 16], nearest: [1.0; 16] };
+        self.bounds.farthest[..self.window_count].fill(depth);
+        self.bounds.nearest[..self.window_count].fill(depth);
     }
 
-    /// Forgets what is known of the depths but that none is beyond `farthest`.
-    pub(crate) fn bound(&mut self, farthest: f32) {
-        self.windows = [0.0; 16];
-        self.windows[..self.window_count].fill(farthest);
+    /// Forgets what is known of the nearest and of the farthest depths.
+    pub(crate) fn unbound(&mut self, nearest: bool, farthest: bool) {
+        if nearest {
+            self.bounds.nearest[..self.window_count].fill(0.0);
+        }
+        if farthest {
+            self.bounds.farthest[..self.window_count].fill(1.0);
+        }
     }
+}
+
+/// What is known of the depths in each 16 x 16 window, row by row: none is beyond `farthest`, none before `nearest`. Of a smaller tile than 64 x 64,
+/// those that it does not have are 0 and 1: whatever is hidden in the others is hidden in them.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Bounds {
+    pub(crate) farthest: [f32; 16],
+    pub(crate) nearest: [f32; 16],
 }

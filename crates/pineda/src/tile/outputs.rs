@@ -6,15 +6,17 @@ use crate::raster::triangle_id::{ORDERS, TriangleId};
 use crate::shading::run::RunView;
 use crate::shading::weights::{Weights, of_clipped, of_triangle};
 use crate::target::bands::TileRows;
+use crate::target::depth::loaded_depth;
 use crate::target::format::one_nan;
-use crate::target::{ColorBuffer, NO_ID};
+use crate::target::{ColorBuffer, DepthBuffer, NO_ID};
 use crate::wide::{Simd, dispatch};
 
 /// Loads what the tile does not clear.
 pub(crate) fn load(painter: &mut Painter, painting: &Painting<'_>, view: &TileView, row: usize) {
     let loads_color = painting.start.color.is_none();
     let loads_depth = painting.start.depth.is_none() && painting.wants.depth;
-    if !loads_color && !loads_depth {
+    let loads_stencil = painting.start.stencil.is_none() && painting.wants.stencil;
+    if !loads_color && !loads_depth && !loads_stencil {
         return;
     }
     let rows = TileRows::new(view, painting.width, painting.height);
@@ -38,21 +40,26 @@ pub(crate) fn load(painter: &mut Painter, painting: &Painting<'_>, view: &TileVi
             }
         }
     }
-    if let Some(depth) = band.depth.as_deref_mut().filter(|_| loads_depth) {
-        rows.load(depth, &mut painter.tile.depth, block, loaded_depth);
-        painter.tile.bound(1.0);
+    if loads_depth {
+        let (format, tile) = (painting.depth_format, &mut painter.tile);
+        let decode = |code: u32| format.decoded(code).to_bits() as i32;
+        match &mut band.depth {
+            DepthBuffer::None => {}
+            DepthBuffer::D32F(depth) => rows.load(depth, &mut tile.depth, block, loaded_depth),
+            DepthBuffer::D24(depth) => rows.load(depth, &mut tile.depth, block, decode),
+            DepthBuffer::D16(depth) => rows.load(depth, &mut tile.depth, block, |code| decode(code.into())),
+        }
+        tile.unbound(true, true);
     }
-}
-
-/// A depth of the target's, as bits. They are compared as integers, which is right for 0 to 1 only. NaN becomes 0.
-fn loaded_depth(z: f32) -> i32 {
-    if z > 0.0 { z.min(1.0).to_bits() as i32 } else { 0 }
+    if let Some(stencil) = band.stencil.as_deref_mut().filter(|_| loads_stencil) {
+        rows.load(stencil, &mut painter.tile.stencil, block, i32::from);
+    }
 }
 
 /// Clears what a tile without triangles covers.
 pub(crate) fn clear(painting: &Painting<'_>, view: &TileView, row: usize) {
     let rows = TileRows::new(view, painting.width, painting.height);
-    let Start { color, depth, is_first } = painting.start;
+    let Start { color, depth, stencil, is_first } = painting.start;
     let band = &mut *painting.bands.lock(row);
     match (&mut band.color, color) {
         (ColorBuffer::Rgba8(pixels) | ColorBuffer::Rgba8Srgb(pixels), Some(color)) => {
@@ -61,11 +68,18 @@ pub(crate) fn clear(painting: &Painting<'_>, view: &TileView, row: usize) {
         (ColorBuffer::Rgba32F(pixels), Some(color)) => rows.fill(pixels, color),
         _ => {}
     }
-    match (band.depth.as_deref_mut(), depth) {
-        (Some(buffer), Some(depth)) => rows.fill(buffer, depth),
+    let code = depth.map(|z| painting.depth_format.code(z));
+    match (&mut band.depth, depth, code) {
+        (DepthBuffer::D32F(buffer), Some(depth), _) => rows.fill(buffer, depth),
+        (DepthBuffer::D24(buffer), _, Some(code)) => rows.fill(buffer, code),
+        (DepthBuffer::D16(buffer), _, Some(code)) => rows.fill(buffer, code as u16),
         // As if it had been loaded and stored.
-        (Some(buffer), None) => rows.update(buffer, |z| f32::from_bits(loaded_depth(z) as u32)),
-        (None, _) => {}
+        (DepthBuffer::D32F(buffer), None, _) => rows.update(buffer, |z| f32::from_bits(loaded_depth(z) as u32)),
+        (DepthBuffer::D24(buffer), ..) => rows.update(buffer, |code| code & 0xff_ffff),
+        (DepthBuffer::D16(_) | DepthBuffer::None, ..) => {}
+    }
+    if let (Some(buffer), Some(value)) = (band.stencil.as_deref_mut(), stencil) {
+        rows.fill(buffer, value);
     }
     if is_first {
         for ids in [&mut band.triangle_ids, &mut band.instance_ids, &mut band.draw_ids].into_iter().flatten() {
@@ -107,8 +121,16 @@ pub(crate) fn store(painter: &mut Painter, painting: &Painting<'_>, view: &TileV
             });
         }
     }
-    if let Some(depth) = band.depth.as_deref_mut() {
-        rows.store(depth, &painter.tile.depth, block, |bits| f32::from_bits(bits as u32));
+    let depths = &painter.tile.depth;
+    let code = |bits: i32| painting.depth_format.code(f32::from_bits(bits as u32));
+    match &mut band.depth {
+        DepthBuffer::None => {}
+        DepthBuffer::D32F(depth) => rows.store(depth, depths, block, |bits| f32::from_bits(bits as u32)),
+        DepthBuffer::D24(depth) => rows.store(depth, depths, block, code),
+        DepthBuffer::D16(depth) => rows.store(depth, depths, block, |bits| code(bits) as u16),
+    }
+    if let Some(stencil) = band.stencil.as_deref_mut() {
+        rows.store(stencil, &painter.tile.stencil, block, |value| value as u8);
     }
     let (shown, is_first) = (&painter.tile.shown, painting.start.is_first);
     let instance_and_triangle = |id| {

@@ -2,19 +2,20 @@
 
 use super::coverage::cover;
 use super::queue::TileQueue;
-use super::sink::{AnyCompare, HitCounter, Less, Sink, Visibility, depth_bits};
+use super::sink::{AnyTest, DepthTest, HitCounter, Less, Sink, Visibility};
 use super::view::TileView;
 use super::{Tile, outputs};
-use crate::pass::Compare;
 use crate::pass::draw_call::DrawCall;
 use crate::pass::plan::{Batch, Segment, SegmentKind};
 use crate::raster::bins::{BinEntry, Share, TileGrid};
 use crate::raster::setup::PixelRect;
 use crate::raster::triangle_id::TriangleId;
+use crate::shading::cached::TriangleCache;
 use crate::shading::packet::PacketBatch;
 use crate::shading::run::RunView;
 use crate::shading::shade::{OrderedPacket, Shading, VisiblePacket, shade_in_order, shade_visible};
 use crate::target::bands::Bands;
+use crate::target::depth::DepthFormat;
 use crate::target::format::{ColorFormat, TileColor};
 use crate::wide::{Simd, dispatch, f32x16, mask32x16, u32x16};
 use fearless_simd::Level;
@@ -34,6 +35,7 @@ pub(crate) struct Painting<'a> {
     pub(crate) bands: &'a Bands<'a>,
     pub(crate) start: Start,
     pub(crate) wants: Wants,
+    pub(crate) depth_format: DepthFormat,
 }
 
 /// What tiles start with; `None` is what the target holds.
@@ -41,6 +43,7 @@ pub(crate) struct Painting<'a> {
 pub(crate) struct Start {
     pub(crate) color: Option<[f32; 4]>,
     pub(crate) depth: Option<f32>,
+    pub(crate) stencil: Option<u8>,
     /// Whether ids, barycentric coordinates and hits start empty.
     pub(crate) is_first: bool,
 }
@@ -50,6 +53,7 @@ pub(crate) struct Start {
 pub(crate) struct Wants {
     pub(crate) color: ColorFormat,
     pub(crate) depth: bool,
+    pub(crate) stencil: bool,
     /// Triangle, instance or draw ids, or barycentric coordinates.
     pub(crate) ids: bool,
     pub(crate) hits: bool,
@@ -63,6 +67,7 @@ pub(crate) struct Painter {
     pub(crate) hits: Vec<[u32; 16]>,
     visible: Vec<VisiblePacket>,
     batch: PacketBatch,
+    cache: TriangleCache,
     ordered: Vec<OrderedPacket>,
 }
 
@@ -77,12 +82,14 @@ impl Painter {
             hits: Vec::new(),
             visible: Vec::new(),
             batch: PacketBatch::new(),
+            cache: TriangleCache::new(),
             ordered: Vec::new(),
         }
     }
 
     /// Paints one tile after the other until none is left.
     pub(crate) fn paint_all(&mut self, painting: &Painting<'_>, queue: &TileQueue) {
+        self.cache.forget();
         let mut place = None;
         while let Some((column, row)) = queue.take(&mut place) {
             self.paint(painting, column, row);
@@ -105,15 +112,23 @@ impl Painter {
                     self.count(painting, share, entries, &view, segment);
                 }
                 match segment.kind {
-                    SegmentKind::Deferred(compare) => {
-                        self.resolve_visibility(painting, share, entries, &view, segment, compare);
+                    SegmentKind::Deferred => {
+                        let wants_ids = painting.wants.ids || painting.wants.color != ColorFormat::None;
+                        self.resolve_visibility(painting, share, entries, &view, segment, wants_ids);
                         has_visible = true;
+                    }
+                    SegmentKind::DepthOnly => {
+                        if std::mem::take(&mut has_visible) {
+                            self.shade_visible(painting, &view);
+                            self.forget_visible();
+                        }
+                        self.resolve_visibility(painting, share, entries, &view, segment, painting.wants.ids);
+                        self.forget_visible();
                     }
                     SegmentKind::Ordered { run } => {
                         if std::mem::take(&mut has_visible) {
                             self.shade_visible(painting, &view);
-                            self.keep_shown();
-                            self.tile.id.fill([0; 16]);
+                            self.forget_visible();
                         }
                         self.draw_in_order(painting, share, entries, &view, segment, run);
                     }
@@ -131,6 +146,10 @@ impl Painter {
     fn start(&mut self, painting: &Painting<'_>, view: &TileView, row: usize) {
         let Painting { start, wants, .. } = painting;
         self.tile.clear(view, start.depth.unwrap_or(1.0));
+        self.tile.stencil.clear();
+        if wants.stencil {
+            self.tile.stencil.resize(view.block_count(), [start.stencil.unwrap_or(0).into(); 16]);
+        }
         self.tile.shown.clear();
         if wants.ids {
             self.tile.shown.resize(view.block_count(), [0; 16]);
@@ -165,14 +184,15 @@ impl Painter {
         entries: &[BinEntry],
         view: &TileView,
         segment: &Segment,
-        compare: Compare,
+        wants_ids: bool,
     ) {
         let (tile, rect) = (&mut self.tile, segment.rect.as_ref());
-        let wants_ids = painting.wants.ids || painting.wants.color != ColorFormat::None;
-        dispatch!(painting.level, s => match (compare, wants_ids) {
-            (Compare::Less, true) => visibility::<_, true>(s, share, entries, view, rect, tile),
-            (Compare::Less, false) => visibility::<_, false>(s, share, entries, view, rect, tile),
-            _ => any_visibility(s, share, entries, view, rect, tile, compare),
+        let test = AnyTest { rule: segment.depth, format: painting.depth_format };
+        let is_usual = segment.depth.is_usual() && painting.depth_format.is_float();
+        dispatch!(painting.level, s => match (is_usual, wants_ids) {
+            (true, true) => visibility::<_, _, true>(s, share, entries, view, rect, tile, Less),
+            (true, false) => visibility::<_, _, false>(s, share, entries, view, rect, tile, Less),
+            _ => visibility::<_, _, true>(s, share, entries, view, rect, tile, test),
         });
     }
 
@@ -198,9 +218,16 @@ impl Painter {
                 tile: &mut self.tile,
                 color: &mut self.color,
                 batch: &mut self.batch,
+                cache: &mut self.cache,
             };
             dispatch!(painting.level, s => shade_visible(s, &mut shading, packets));
         }
+    }
+
+    /// Empties the visibility buffer, after noting what it showed.
+    fn forget_visible(&mut self) {
+        self.keep_shown();
+        self.tile.id.fill([0; 16]);
     }
 
     /// Notes what was shaded, if the target asks for it.
@@ -224,19 +251,26 @@ impl Painter {
         segment: &Segment,
         run: usize,
     ) {
-        self.tile.bound(1.0);
+        let call = &*painting.draws[painting.batch.runs[run].draw];
+        if call.state().depth.write {
+            let [less, _, greater] = segment.depth.compare.outcomes();
+            self.tile.unbound(less, greater);
+        }
+        let test = AnyTest { rule: segment.depth, format: painting.depth_format };
         let mut work = std::mem::take(&mut self.tile.worklist);
         let mut sink = InOrder {
+            test,
             packets: &mut self.ordered,
             flush: &mut |packets: &[OrderedPacket]| {
                 let mut shading = Shading {
                     level: painting.level,
-                    call: &*painting.draws[painting.batch.runs[run].draw],
+                    call,
                     run: &painting.runs[run],
                     view,
                     tile: &mut self.tile,
                     color: &mut self.color,
                     batch: &mut self.batch,
+                    cache: &mut self.cache,
                 };
                 dispatch!(painting.level, s => shade_in_order(s, &mut shading, packets));
             },
@@ -248,29 +282,16 @@ impl Painter {
 }
 
 #[inline(always)]
-fn visibility<S: Simd, const ID: bool>(
+fn visibility<S: Simd, T: DepthTest<S>, const ID: bool>(
     s: S,
     share: &Share,
     entries: &[BinEntry],
     view: &TileView,
     rect: Option<&PixelRect>,
     tile: &mut Tile,
+    test: T,
 ) {
-    let (mut sink, work) = Visibility::<Less, ID>::new::<S>(tile, Less);
-    cover(s, share, entries, view, rect, work, &mut sink);
-}
-
-#[inline(always)]
-fn any_visibility<S: Simd>(
-    s: S,
-    share: &Share,
-    entries: &[BinEntry],
-    view: &TileView,
-    rect: Option<&PixelRect>,
-    tile: &mut Tile,
-    compare: Compare,
-) {
-    let (mut sink, work) = Visibility::<AnyCompare, true>::new::<S>(tile, AnyCompare(compare));
+    let (mut sink, work) = Visibility::<T, ID>::new::<S>(tile, test);
     cover(s, share, entries, view, rect, work, &mut sink);
 }
 
@@ -335,6 +356,7 @@ impl<'a> Iterator for Stretches<'a> {
 
 /// Collects covered blocks in order, and has them shaded when there are enough.
 struct InOrder<'a, F: FnMut(&[OrderedPacket])> {
+    test: AnyTest,
     packets: &'a mut Vec<OrderedPacket>,
     flush: &'a mut F,
 }
@@ -349,10 +371,10 @@ impl<F: FnMut(&[OrderedPacket])> InOrder<'_, F> {
 
 impl<S: Simd, F: FnMut(&[OrderedPacket])> Sink<S> for InOrder<'_, F> {
     #[inline(always)]
-    fn samples(&mut self, _: S, block: usize, inside: mask32x16<S>, z: f32x16<S>, id: u32) {
+    fn samples(&mut self, s: S, block: usize, inside: mask32x16<S>, z: f32x16<S>, id: u32) {
         let mask = inside.to_bitmask() as u32;
         if mask != 0 {
-            let depth = depth_bits(z).into();
+            let depth = self.test.depths(s, z).into();
             self.packets.push(OrderedPacket { depth, id, block: block as u32, mask });
             if self.packets.len() == ORDERED_PACKETS {
                 self.finish();

@@ -1,7 +1,9 @@
 //! What becomes of covered samples: the coverage kernels hand them over a block at a time.
 
-use super::Tile;
+use super::{Bounds, Tile};
 use crate::pass::Compare;
+use crate::pass::plan::DepthRule;
+use crate::target::depth::DepthFormat;
 use crate::wide::{Simd, f32x16, i32x16, mask32x16, u32x16};
 
 /// Takes the covered samples of blocks, triangle by triangle, in submission order.
@@ -9,70 +11,132 @@ pub(crate) trait Sink<S: Simd> {
     /// The samples of one block that a triangle covers, and the triangle's depth at all of the block's samples.
     fn samples(&mut self, s: S, block: usize, inside: mask32x16<S>, z: f32x16<S>, id: u32);
 
-    /// Whether a triangle that is nowhere nearer than `nearest` can be left out of the whole tile, by what is known of it.
+    /// Whether a triangle whose depths lie in this range can be left out of the whole tile, by what is known of it.
     #[inline(always)]
-    fn hides_tile(&self, _: S, _nearest: f32) -> bool {
+    fn hides_tile(&self, _: S, _depths: DepthRange) -> bool {
         false
     }
 
     /// Whether it can be left out of a 16 x 16 window, by what is known of it.
     #[inline(always)]
-    fn hides_window(&self, _window: usize, _nearest: f32) -> bool {
+    fn hides_window(&self, _window: usize, _depths: DepthRange) -> bool {
         false
     }
 
     /// Whether it can be left out of the window from `block` on, by what is there: takes longer than asking what is known.
     #[inline(always)]
-    fn hides_blocks(&self, _: S, _block: usize, _stride: usize, _nearest: f32) -> bool {
+    fn hides_blocks(&self, _: S, _block: usize, _stride: usize, _depths: DepthRange) -> bool {
         false
     }
 
-    /// A triangle that is nowhere farther than `farthest` was drawn to every sample of a window.
+    /// A triangle whose depths lie in this range was drawn to every sample of a window.
     #[inline(always)]
-    fn covered_window(&mut self, _window: usize, _farthest: f32) {}
+    fn covered_window(&mut self, _window: usize, _depths: DepthRange) {}
 }
 
-/// Clamps depths to 0 to 1, as bits: negative numbers and -0 are negative as integers, too.
+/// Depths, before clamping.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct DepthRange {
+    pub(crate) nearest: f32,
+    pub(crate) farthest: f32,
+}
+
+/// Clamps depths to a range, as bits: negative numbers and -0 are negative as integers, too.
 #[inline(always)]
-pub(crate) fn depth_bits<S: Simd>(z: f32x16<S>) -> i32x16<S> {
-    const ONE: i32 = 1.0f32.to_bits() as i32;
-    z.bitcast::<i32x16<S>>().max(0).min(ONE)
+fn clamped<S: Simd>(z: f32x16<S>, low: i32, high: i32) -> i32x16<S> {
+    z.bitcast::<i32x16<S>>().max(low).min(high)
 }
 
-/// The comparison that the depth test of a draw makes.
+const ONE: i32 = 1.0f32.to_bits() as i32;
+
+/// The depth test of a draw.
 pub(crate) trait DepthTest<S: Simd>: Copy {
-    /// Whether passing samples can only come nearer, so that bounds of what is there stay bounds.
-    const NEARER_ONLY: bool;
+    /// The bits that are compared, and stored.
+    fn depths(&self, s: S, z: f32x16<S>) -> i32x16<S>;
     /// Which of the samples pass.
     fn passes(&self, s: S, z: i32x16<S>, there: i32x16<S>) -> mask32x16<S>;
+    /// The bounds of what is compared.
+    fn range(&self, depths: DepthRange) -> DepthRange;
+    /// Whether it passes for (less, equal, greater).
+    fn outcomes(&self) -> [bool; 3];
 }
 
-/// [`Compare::Less`].
+/// [`Compare::Less`] of f32s, over the whole range.
 #[derive(Clone, Copy)]
 pub(crate) struct Less;
 
 impl<S: Simd> DepthTest<S> for Less {
-    const NEARER_ONLY: bool = true;
+    #[inline(always)]
+    fn depths(&self, _: S, z: f32x16<S>) -> i32x16<S> {
+        clamped(z, 0, ONE)
+    }
 
     #[inline(always)]
     fn passes(&self, _: S, z: i32x16<S>, there: i32x16<S>) -> mask32x16<S> {
         z.simd_lt(there)
     }
+
+    #[inline(always)]
+    fn range(&self, depths: DepthRange) -> DepthRange {
+        // No bound that is compared with lies beyond 0 to 1.
+        depths
+    }
+
+    #[inline(always)]
+    fn outcomes(&self) -> [bool; 3] {
+        [true, false, false]
+    }
 }
 
-/// Any comparison.
+/// Any comparison, range and format.
 #[derive(Clone, Copy)]
-pub(crate) struct AnyCompare(pub(crate) Compare);
+pub(crate) struct AnyTest {
+    pub(crate) rule: DepthRule,
+    pub(crate) format: DepthFormat,
+}
 
-impl<S: Simd> DepthTest<S> for AnyCompare {
-    const NEARER_ONLY: bool = false;
+impl<S: Simd> DepthTest<S> for AnyTest {
+    #[inline(always)]
+    fn depths(&self, s: S, z: f32x16<S>) -> i32x16<S> {
+        let z = clamped(z, self.rule.low, self.rule.high);
+        if self.format.is_float() { z } else { self.format.rounded_lanes(s, z.bitcast()).bitcast() }
+    }
 
     #[inline(always)]
     fn passes(&self, s: S, z: i32x16<S>, there: i32x16<S>) -> mask32x16<S> {
-        let [less, equal, greater] = self.0.outcomes();
-        (mask32x16::splat(s, less) & z.simd_lt(there))
-            | (mask32x16::splat(s, equal) & z.simd_eq(there))
-            | (mask32x16::splat(s, greater) & z.simd_gt(there))
+        self.rule.compare.passes(s, z, there)
+    }
+
+    #[inline(always)]
+    fn range(&self, depths: DepthRange) -> DepthRange {
+        // Clamping and rounding are monotone.
+        let [low, high] = [self.rule.low, self.rule.high].map(|bits| f32::from_bits(bits as u32));
+        let bounded = |z: f32| {
+            self.format.rounded(if z < low {
+                low
+            } else if z > high {
+                high
+            } else {
+                z
+            })
+        };
+        DepthRange { nearest: bounded(depths.nearest), farthest: bounded(depths.farthest) }
+    }
+
+    #[inline(always)]
+    fn outcomes(&self) -> [bool; 3] {
+        self.rule.compare.outcomes()
+    }
+}
+
+impl Compare {
+    /// In which lanes `new` passes against `there`: `new` less, equal or greater.
+    #[inline(always)]
+    pub(crate) fn passes<S: Simd>(self, s: S, new: i32x16<S>, there: i32x16<S>) -> mask32x16<S> {
+        let [less, equal, greater] = self.outcomes();
+        (mask32x16::splat(s, less) & new.simd_lt(there))
+            | (mask32x16::splat(s, equal) & new.simd_eq(there))
+            | (mask32x16::splat(s, greater) & new.simd_gt(there))
     }
 }
 
@@ -80,7 +144,7 @@ impl<S: Simd> DepthTest<S> for AnyCompare {
 pub(crate) struct Visibility<'a, T, const ID: bool> {
     tile_depth: &'a mut [[i32; 16]],
     tile_id: &'a mut [[u32; 16]],
-    windows: &'a mut [f32; 16],
+    bounds: &'a mut Bounds,
     test: T,
 }
 
@@ -89,18 +153,17 @@ impl<'a, T, const ID: bool> Visibility<'a, T, ID> {
     where
         T: DepthTest<S>,
     {
-        if !T::NEARER_ONLY {
-            tile.bound(1.0);
-        }
-        let Tile { depth, id, windows, worklist, .. } = tile;
-        (Self { tile_depth: depth, tile_id: id, windows, test }, worklist)
+        let [less, _, greater] = test.outcomes();
+        tile.unbound(less, greater);
+        let Tile { depth, id, bounds, worklist, .. } = tile;
+        (Self { tile_depth: depth, tile_id: id, bounds, test }, worklist)
     }
 }
 
 impl<S: Simd, T: DepthTest<S>, const ID: bool> Sink<S> for Visibility<'_, T, ID> {
     #[inline(always)]
     fn samples(&mut self, s: S, block: usize, inside: mask32x16<S>, z: f32x16<S>, id: u32) {
-        let z = depth_bits(z);
+        let z = self.test.depths(s, z);
         let depth = &mut self.tile_depth[block];
         let there = i32x16::simd_from(s, *depth);
         let passes = inside & self.test.passes(s, z, there);
@@ -113,38 +176,59 @@ impl<S: Simd, T: DepthTest<S>, const ID: bool> Sink<S> for Visibility<'_, T, ID>
     }
 
     #[inline(always)]
-    fn hides_tile(&self, s: S, nearest: f32) -> bool {
-        T::NEARER_ONLY && f32x16::simd_from(s, *self.windows).simd_le(nearest).to_bitmask() == 0xffff
+    fn hides_tile(&self, s: S, depths: DepthRange) -> bool {
+        let ([less, equal, greater], depths) = (self.test.outcomes(), self.test.range(depths));
+        let (farthest, nearest) =
+            (f32x16::simd_from(s, self.bounds.farthest), f32x16::simd_from(s, self.bounds.nearest));
+        let all = |mask: mask32x16<S>| mask.to_bitmask() == 0xffff;
+        (!greater && all(if equal { farthest.simd_lt(depths.nearest) } else { farthest.simd_le(depths.nearest) }))
+            || (!less && all(if equal { nearest.simd_gt(depths.farthest) } else { nearest.simd_ge(depths.farthest) }))
     }
 
     #[inline(always)]
-    fn hides_window(&self, window: usize, nearest: f32) -> bool {
-        T::NEARER_ONLY && nearest >= self.windows[window & 15]
+    fn hides_window(&self, window: usize, depths: DepthRange) -> bool {
+        let ([less, equal, greater], depths) = (self.test.outcomes(), self.test.range(depths));
+        let (farthest, nearest) = (self.bounds.farthest[window & 15], self.bounds.nearest[window & 15]);
+        (!greater && (if equal { depths.nearest > farthest } else { depths.nearest >= farthest }))
+            || (!less && (if equal { depths.farthest < nearest } else { depths.farthest <= nearest }))
     }
 
     #[inline(always)]
-    fn hides_blocks(&self, s: S, block: usize, stride: usize, nearest: f32) -> bool {
-        if !T::NEARER_ONLY {
+    fn hides_blocks(&self, s: S, block: usize, stride: usize, depths: DepthRange) -> bool {
+        let ([less, equal, greater], depths) = (self.test.outcomes(), self.test.range(depths));
+        if less && greater {
             return false;
         }
-        let mut farthest = i32x16::splat(s, 0);
+        let first = i32x16::simd_from(s, self.tile_depth[block]);
+        let (mut farthest, mut nearest) = (first, first);
         let mut row = 0;
         while row < 4 {
             let blocks = &self.tile_depth[block + row * stride..block + row * stride + 4];
-            farthest = farthest.max(i32x16::simd_from(s, blocks[0])).max(i32x16::simd_from(s, blocks[1]));
-            farthest = farthest.max(i32x16::simd_from(s, blocks[2])).max(i32x16::simd_from(s, blocks[3]));
+            let mut k = 0;
+            while k < 4 {
+                let there = i32x16::simd_from(s, blocks[k]);
+                farthest = farthest.max(there);
+                nearest = nearest.min(there);
+                k += 1;
+            }
             row += 1;
         }
-        farthest.bitcast::<f32x16<S>>().simd_le(nearest).to_bitmask() == 0xffff
+        let (farthest, nearest) = (farthest.bitcast::<f32x16<S>>(), nearest.bitcast::<f32x16<S>>());
+        let all = |mask: mask32x16<S>| mask.to_bitmask() == 0xffff;
+        (!greater && all(if equal { farthest.simd_lt(depths.nearest) } else { farthest.simd_le(depths.nearest) }))
+            || (!less && all(if equal { nearest.simd_gt(depths.farthest) } else { nearest.simd_ge(depths.farthest) }))
     }
 
     #[inline(always)]
-    fn covered_window(&mut self, window: usize, farthest: f32) {
-        if T::NEARER_ONLY {
-            let bound = &mut self.windows[window & 15];
-            if farthest < *bound {
-                *bound = farthest.max(0.0);
-            }
+    fn covered_window(&mut self, window: usize, depths: DepthRange) {
+        let ([less, _, greater], depths) = (self.test.outcomes(), self.test.range(depths));
+        let (farthest, nearest) = (&mut self.bounds.farthest[window & 15], &mut self.bounds.nearest[window & 15]);
+        // What did not pass was no farther (nearer) than this triangle. Where both may pass, the next triangle may undo it.
+        if less && !greater && depths.farthest < *farthest {
+            *farthest = if depths.farthest > 0.0 { depths.farthest } else { 0.0 };
+        }
+        if greater && !less && depths.nearest > *nearest {
+            *nearest = if depths.nearest < 1.0 { depths.nearest } else { 1.0 };
         }
     }
 }

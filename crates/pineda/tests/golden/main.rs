@@ -10,7 +10,7 @@ mod primitives;
 mod scenes;
 mod shapes;
 
-use pineda::{ColorBuffer, NO_ID, Pass, Renderer, Settings, Simd, Target, TileSize};
+use pineda::{ColorBuffer, DepthBuffer, NO_ID, Pass, Renderer, Settings, Simd, Target, TileSize};
 use scenes::{Format, Scene};
 use std::fmt::Write as _;
 use std::path::Path;
@@ -57,6 +57,8 @@ struct Frame {
     bytes: Vec<[u8; 4]>,
     float: Vec<[f32; 4]>,
     depth: Vec<f32>,
+    /// Empty if no draw has a stencil test.
+    stencil: Vec<u8>,
     triangle_ids: Vec<u32>,
     instance_ids: Vec<u32>,
     draw_ids: Vec<u32>,
@@ -73,6 +75,7 @@ impl Frame {
             bytes: vec![[0; 4]; if scene.format == Format::Float { 0 } else { pixels }],
             float: vec![[0.0; 4]; if scene.format == Format::Float { pixels } else { 0 }],
             depth: vec![0.0; pixels],
+            stencil: vec![0; if scene.has_stencil() { pixels } else { 0 }],
             triangle_ids: vec![0; pixels],
             instance_ids: vec![0; pixels],
             draw_ids: vec![0; pixels],
@@ -83,13 +86,19 @@ impl Frame {
         pass.clear_color = Some(scene.clear);
         pass.clear_depth = Some(scene.clear_depth);
         scene.layers.iter().for_each(|layer| layer.draw(&mut pass));
+        let (mut d16, mut d24) = (vec![0u16; pixels], vec![0u32; pixels]);
         let mut target = Target {
             color: match scene.format {
                 Format::Linear => ColorBuffer::Rgba8(&mut frame.bytes),
                 Format::Srgb => ColorBuffer::Rgba8Srgb(&mut frame.bytes),
                 Format::Float => ColorBuffer::Rgba32F(&mut frame.float),
             },
-            depth: Some(&mut frame.depth),
+            depth: match scene.depth_bits {
+                16 => DepthBuffer::D16(&mut d16),
+                24 => DepthBuffer::D24(&mut d24),
+                _ => DepthBuffer::D32F(&mut frame.depth),
+            },
+            stencil: scene.has_stencil().then_some(&mut frame.stencil),
             triangle_ids: Some(&mut frame.triangle_ids),
             instance_ids: Some(&mut frame.instance_ids),
             draw_ids: Some(&mut frame.draw_ids),
@@ -99,6 +108,12 @@ impl Frame {
         };
         let mut renderer = Renderer::new(settings).expect("an available level");
         renderer.render(&pass, &mut target).expect("a valid scene");
+        // All codes are f32s, too.
+        match scene.depth_bits {
+            16 => frame.depth = d16.into_iter().map(f32::from).collect(),
+            24 => frame.depth = d24.into_iter().map(|code| code as f32).collect(),
+            _ => {}
+        }
         frame
     }
 
@@ -116,6 +131,7 @@ impl Frame {
         for float in floats.into_iter().flatten() {
             all.extend(float.to_bits().to_le_bytes());
         }
+        all.extend(&self.stencil);
         all
     }
 

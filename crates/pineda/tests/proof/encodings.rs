@@ -127,7 +127,7 @@ fn what_is_loaded_is_stored_again() {
             pass.draw(
                 &Constant,
                 Mesh { vertices: &layer, indices: Indices::Sequential },
-                DrawState { space: Space::Raster, blend: Blend::SourceOver, ..DrawState::default() },
+                DrawState { space: Space::Raster, blend: Blend::ALPHA, ..DrawState::default() },
             );
             let color = if srgb { ColorBuffer::Rgba8Srgb(&mut pixels) } else { ColorBuffer::Rgba8(&mut pixels) };
             let mut renderer = Renderer::new(Settings { simd, ..Settings::default() }).expect("available");
@@ -158,7 +158,7 @@ impl Shader for NotANumber {
 #[test]
 fn there_is_one_nan() {
     let corners = [[-9.0, -9.0], [99.0, -9.0], [-9.0, 99.0]];
-    for blend in [Blend::Opaque, Blend::SourceOver] {
+    for blend in [Blend::OPAQUE, Blend::ALPHA] {
         for simd in Simd::available() {
             let mut pixels = [[0.0; 4]; 64];
             let mut pass = Pass::new();

@@ -26,7 +26,7 @@ fn error_in(state: DrawState, indices: Indices<'_>, corners: &[[f32; 4]]) -> Err
     let (mut instances, mut draws, mut barycentrics, mut hits) = ([4; 64], [6; 64], [[0.5; 3]; 64], [8; 64]);
     let mut target = Target {
         color: ColorBuffer::Rgba8(&mut pixels),
-        depth: Some(&mut depth),
+        depth: DepthBuffer::D32F(&mut depth),
         triangle_ids: Some(&mut ids),
         instance_ids: Some(&mut instances),
         draw_ids: Some(&mut draws),
@@ -65,7 +65,8 @@ fn buffers_hold_one_element_a_pixel() {
         ("color", Target { color: ColorBuffer::Rgba8(&mut bytes.clone()), ..plain() }),
         ("color", Target { color: ColorBuffer::Rgba8Srgb(&mut bytes), ..plain() }),
         ("color", Target { color: ColorBuffer::Rgba32F(&mut floats), ..plain() }),
-        ("depth", Target { depth: Some(&mut depth), ..plain() }),
+        ("depth", Target { depth: DepthBuffer::D32F(&mut depth), ..plain() }),
+        ("stencil", Target { stencil: Some(&mut [0; 7]), ..plain() }),
         ("triangle_ids", Target { triangle_ids: Some(&mut ids), ..plain() }),
         ("instance_ids", Target { instance_ids: Some(&mut instances), ..plain() }),
         ("draw_ids", Target { draw_ids: Some(&mut draws), ..plain() }),
@@ -168,8 +169,10 @@ fn viewports_are_usable() {
     let wrong = [
         (Viewport { x: f32::NAN, ..whole }, "all of its numbers must be finite"),
         (Viewport { max_depth: f32::INFINITY, ..whole }, "all of its numbers must be finite"),
-        (Viewport { width: 0.0, ..whole }, "its width and height must be positive"),
-        (Viewport { height: -1.0, ..whole }, "its width and height must be positive"),
+        (Viewport { width: 0.0, ..whole }, "its width must be positive and its height must not be 0"),
+        (Viewport { width: -1.0, ..whole }, "its width must be positive and its height must not be 0"),
+        (Viewport { height: -0.0, ..whole }, "its width must be positive and its height must not be 0"),
+        (Viewport { height: -32_777.0, ..whole }, "it must lie within 32,768 pixels of the target's corner"),
         (Viewport { x: -32_769.0, ..whole }, "it must lie within 32,768 pixels of the target's corner"),
         (Viewport { height: 1e30, ..whole }, "it must lie within 32,768 pixels of the target's corner"),
         (Viewport { min_depth: -0.1, ..whole }, "its depths must lie in 0 to 1"),

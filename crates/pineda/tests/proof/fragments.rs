@@ -71,7 +71,7 @@ fn drawn(renderer: &mut Renderer, show: Show, vertices: &[ProbeVertex], indices:
     let mut shown = Shown { color: vec![[0.0; 4]; pixels], depth: vec![0.0; pixels], ids: vec![0; pixels] };
     let mut target = Target {
         color: ColorBuffer::Rgba32F(&mut shown.color),
-        depth: Some(&mut shown.depth),
+        depth: DepthBuffer::D32F(&mut shown.depth),
         triangle_ids: Some(&mut shown.ids),
         ..Target::new(size[0], size[1])
     };

@@ -45,7 +45,7 @@ fn garbage_is_drawn_without_a_panic() {
             cull: random.pick(&[Cull::None, Cull::Front, Cull::Back]),
             front_face: random.pick(&[FrontFace::Clockwise, FrontFace::CounterClockwise]),
             depth: DepthState { compare: random.pick(&Compare::ALL), write: random.one_in(2) },
-            blend: random.pick(&[Blend::Opaque, Blend::SourceOver, Blend::PremultipliedSourceOver]),
+            blend: random.pick(&[Blend::OPAQUE, Blend::ALPHA, Blend::PREMULTIPLIED]),
             viewport,
             ..DrawState::default()
         };

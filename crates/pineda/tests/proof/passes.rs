@@ -131,7 +131,7 @@ fn tiles_without_triangles_leave_what_others_would() {
         );
         let mut target = Target {
             color: ColorBuffer::Rgba8(&mut pixels),
-            depth: Some(&mut depth),
+            depth: DepthBuffer::D32F(&mut depth),
             triangle_ids: Some(&mut ids),
             ..Target::new(80, 80)
         };

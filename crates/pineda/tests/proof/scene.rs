@@ -66,6 +66,6 @@ impl Layer {
 /// A random state: any comparison, depth written or not, any blending.
 pub(crate) fn random_state(random: &mut Random) -> DrawState {
     let depth = DepthState { compare: random.pick(&Compare::ALL), write: random.one_in(2) };
-    let blend = random.pick(&[Blend::Opaque, Blend::SourceOver, Blend::PremultipliedSourceOver]);
+    let blend = random.pick(&[Blend::OPAQUE, Blend::ALPHA, Blend::PREMULTIPLIED]);
     DrawState { space: Space::Raster, depth, blend, ..DrawState::default() }
 }

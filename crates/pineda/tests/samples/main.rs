@@ -1,0 +1,7 @@
+//! What happens to a sample after it is covered, against scalar references written from the specifications' formulas.
+
+mod blending;
+mod common;
+mod depth;
+mod stencil;
+mod windows;
