@@ -83,6 +83,7 @@
 extern crate self as pineda;
 
 mod camera;
+mod depth_pyramid;
 mod error;
 mod geometry;
 mod lanes;
@@ -97,6 +98,7 @@ mod tile;
 mod transpose;
 mod wide;
 
+pub use depth_pyramid::DepthPyramid;
 pub use error::Error;
 pub use pass::{
     Blend, BlendComponent, BlendFactor, BlendOperation, ColorMask, Compare, Cull, DepthBias, DepthState, DrawState,
