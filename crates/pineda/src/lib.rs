@@ -95,8 +95,8 @@ mod wide;
 pub use error::Error;
 pub use pass::{
     Blend, BlendComponent, BlendFactor, BlendOperation, ColorMask, Compare, Cull, DepthBias, DepthState, DrawState,
-    FrontFace, Indices, Mesh, Pass, Renderer, Scissor, Space, Statistics, StencilFace, StencilOperation, StencilState,
-    Viewport,
+    DrawStatistics, FrontFace, Indices, Mesh, Pass, Renderer, Scissor, Space, Statistics, StencilFace,
+    StencilOperation, StencilState, Viewport,
 };
 pub use settings::{Settings, Simd, TileSize, UnknownSimd};
 pub use target::{ColorBuffer, DepthBuffer, MAX_SIZE, NO_ID, Target};

@@ -12,7 +12,7 @@ mod validate;
 pub use blend::{Blend, BlendComponent, BlendFactor, BlendOperation, ColorMask};
 pub use render::Renderer;
 pub use state::{Compare, Cull, DepthBias, DepthState, DrawState, FrontFace, Scissor, Space, Viewport};
-pub use statistics::Statistics;
+pub use statistics::{DrawStatistics, Statistics};
 pub use stencil::{StencilFace, StencilOperation, StencilState};
 
 use crate::lanes::Scalar;

@@ -46,6 +46,8 @@ pub(crate) struct Run<'p> {
 pub(crate) struct Segment {
     pub(crate) kind: SegmentKind,
     pub(crate) depth: DepthRule,
+    /// The draw that it belongs to, if draws are counted.
+    pub(crate) draw: Option<usize>,
     /// What can be covered, if that is not the whole target.
     pub(crate) rect: Option<PixelRect>,
 }
@@ -91,6 +93,8 @@ pub(crate) struct Batch<'p> {
     pub(crate) screen_vertices: usize,
     pub(crate) record_rows: usize,
     bytes: usize,
+    /// Whether each draw is a segment of its own, so that it can be counted alone.
+    counts: bool,
 }
 
 /// Cuts a valid pass into at least one batch.
@@ -100,9 +104,11 @@ pub(crate) fn plan<'p>(
     width: u32,
     height: u32,
     memory: usize,
+    counts: bool,
 ) -> Vec<Batch<'p>> {
     let budget = memory.clamp(LEAST_MEMORY, MOST_MEMORY);
-    let mut batches = vec![Batch::default()];
+    let fresh = || Batch { counts, ..Batch::default() };
+    let mut batches = vec![fresh()];
     for (draw, extent) in extents.iter().enumerate() {
         let mut first = 0;
         while first < extent.triangles {
@@ -115,7 +121,7 @@ pub(crate) fn plan<'p>(
                     first += piece.triangles;
                     batches[last].push(pass, draw, piece, width, height);
                 }
-                None => batches.push(Batch::default()),
+                None => batches.push(fresh()),
             }
         }
     }
@@ -195,7 +201,8 @@ impl<'p> Batch<'p> {
         let whole = PixelRect { x0: 0, y0: 0, x1: width as i32, y1: height as i32 };
         let kind = kind(state, call.discards(), self.runs.len());
         let depth = DepthRule::new(state.depth.compare, &viewport);
-        let segment = Segment { kind, depth, rect: Some(rect).filter(|&rect| rect != whole) };
+        let segment =
+            Segment { kind, depth, draw: self.counts.then_some(draw), rect: Some(rect).filter(|&rect| rect != whole) };
         if self.segments.last() != Some(&segment) {
             self.segments.push(segment);
         }
