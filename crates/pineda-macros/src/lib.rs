@@ -24,7 +24,7 @@ pub fn shader(arguments: TokenStream, item: TokenStream) -> TokenStream {
 /// rasterizer can interpolate it; `pineda::varyings!` writes it for you.
 ///
 /// The struct has one type parameter, its width, and fields that are varyings themselves at that width:
-/// `struct Lit<L: Lanes = Scalar> { normal: Vec3<L> }`. `#[flat]` above a field takes the first vertex' value,
+/// `struct Lit<L: Lanes = Scalar> { normal: Vec3<L> }`. `#[flat]` above a field takes the provoking vertex's value,
 /// `#[noperspective]` interpolates it on the screen. `Clone` and `Copy` are implemented too.
 #[proc_macro_derive(Varyings, attributes(flat, noperspective))]
 pub fn varyings(item: TokenStream) -> TokenStream {

@@ -17,6 +17,8 @@ pub struct Drawing {
     pub depth: Vec<f32>,
     /// As [`Target::triangle_ids`].
     pub triangle_ids: Vec<u32>,
+    /// As [`Target::instance_ids`].
+    pub instance_ids: Vec<u32>,
     /// As [`Target::draw_ids`].
     pub draw_ids: Vec<u32>,
     /// As [`Target::barycentrics`].
@@ -40,6 +42,7 @@ impl Drawing {
             color: vec![[0.0; 4]; pixels],
             depth: vec![0.0; pixels],
             triangle_ids: vec![0; pixels],
+            instance_ids: vec![0; pixels],
             draw_ids: vec![0; pixels],
             barycentrics: vec![[0.0; 3]; pixels],
             hits: vec![0; pixels],
@@ -58,6 +61,7 @@ impl Drawing {
             color: ColorBuffer::Rgba32F(&mut self.color),
             depth: DepthBuffer::D32F(&mut self.depth),
             triangle_ids: Some(&mut self.triangle_ids),
+            instance_ids: Some(&mut self.instance_ids),
             draw_ids: Some(&mut self.draw_ids),
             barycentrics: Some(&mut self.barycentrics),
             hits: Some(&mut self.hits),
@@ -71,14 +75,21 @@ impl Drawing {
     pub fn difference(&self, other: &Self) -> Option<String> {
         let bits = |d: &Self, at: usize| -> (Vec<u32>, Vec<u32>, Vec<u32>) {
             let float = |values: &[f32]| values.iter().map(|v| v.to_bits()).collect::<Vec<_>>();
-            let numbers = vec![d.triangle_ids[at], d.draw_ids[at], d.hits[at], d.depth[at].to_bits()];
+            let ids = [d.triangle_ids[at], d.instance_ids[at], d.draw_ids[at]];
+            let numbers = ids.into_iter().chain([d.hits[at], d.depth[at].to_bits()]).collect();
             (numbers, float(&d.color[at]), float(&d.barycentrics[at]))
         };
         let at = (0..self.color.len()).find(|&at| bits(self, at) != bits(other, at))?;
         let say = |d: &Self| {
             format!(
-                "triangle {} of draw {}, {} hits, depth {:?}, colour {:?}, barycentrics {:?}",
-                d.triangle_ids[at], d.draw_ids[at], d.hits[at], d.depth[at], d.color[at], d.barycentrics[at]
+                "triangle {} of instance {} of draw {}, {} hits, depth {:?}, colour {:?}, barycentrics {:?}",
+                d.triangle_ids[at],
+                d.instance_ids[at],
+                d.draw_ids[at],
+                d.hits[at],
+                d.depth[at],
+                d.color[at],
+                d.barycentrics[at]
             )
         };
         let (x, y) = (at % self.width as usize, at / self.width as usize);

@@ -2,10 +2,11 @@
 
 mod common;
 
-use common::{BlinnPhong, EYE, Gouraud, HEIGHT, Scene, Vertex, WIDTH, knot, micro};
+use common::{BlinnPhong, EYE, Gouraud, HEIGHT, Scene, Vertex, WIDTH, grid_strips, knot, micro};
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use pineda::{
-    Blend, ColorBuffer, Cull, DepthBuffer, DrawState, Indices, Mat4, Mesh, Pass, Renderer, Settings, Shader, Target,
+    Blend, ColorBuffer, Cull, DepthBuffer, DrawState, Indices, Mat4, Mesh, Pass, PrimitiveTopology, Renderer, Rgba,
+    Settings, Shader, Space, Target, Vec3, Vec4,
 };
 
 /// What is drawn to.
@@ -115,5 +116,84 @@ fn stages(criterion: &mut Criterion) {
     bench(criterion, "visibility_buffer", pixels, &scene, &lit, culled(Cull::Back), Output::Ids);
 }
 
-criterion_group!(benches, stages);
+/// What the other ways to say which triangles there are cost beside a list of 32 bit indices, to the depth of the picture.
+fn primitives(criterion: &mut Criterion) {
+    let scene = micro();
+    let shader = Gouraud { camera: scene.camera };
+    let triangles = scene.indices.len() as u64 / 3;
+    let rows = grid_strips(500, 1000);
+    let strip = DrawState { topology: PrimitiveTopology::TriangleStrip, ..DrawState::default() };
+    let mut one_row = rows.clone();
+    one_row.retain(|&index| index != u32::MAX);
+    let restarts = DrawState { primitive_restart: true, ..strip };
+    let mut draw = |name: &str, triangles: u64, pass: &Pass<'_>| {
+        let settings = Settings { threads: 1, ..Settings::default() };
+        let mut renderer = Renderer::new(settings).expect("the default level is there");
+        let mut depth = vec![0f32; (WIDTH * HEIGHT) as usize];
+        let mut group = criterion.benchmark_group("primitives");
+        group.sample_size(20).throughput(Throughput::Elements(triangles));
+        group.bench_function(name, |bencher| {
+            bencher.iter(|| {
+                let mut target = Target { depth: DepthBuffer::D32F(&mut depth), ..Target::new(WIDTH, HEIGHT) };
+                renderer.render(pass, &mut target).expect("the scene is valid")
+            });
+        });
+        group.finish();
+    };
+    for (name, indices, state) in [
+        ("list", &scene.indices, DrawState::default()),
+        ("strip_with_restarts", &rows, restarts),
+        ("strip", &one_row, strip),
+    ] {
+        let mut pass = Pass::new();
+        pass.draw(&shader, Mesh { vertices: &scene.vertices, indices: Indices::U32(indices) }, state);
+        draw(name, triangles, &pass);
+    }
+    // As many vertices as 16 bits can name, in a list of as many triangles.
+    let narrow: Vec<u16> = scene.indices.iter().map(|&index| (index % 65_000) as u16).collect();
+    let wide: Vec<u32> = narrow.iter().map(|&index| u32::from(index)).collect();
+    for (name, indices) in
+        [("list_of_65000_vertices", Indices::U32(&wide)), ("list_of_65000_vertices_u16", Indices::U16(&narrow))]
+    {
+        let mut pass = Pass::new();
+        let culled = DrawState { cull: Cull::Back, ..DrawState::default() };
+        pass.draw(&shader, Mesh { vertices: &scene.vertices[..65_000], indices }, culled);
+        draw(name, triangles, &pass);
+    }
+    // A million triangles, and half a million squares.
+    let corners = [[0.0, 0.0], [2.0, 0.0], [0.0, 2.0], [2.0, 2.0]];
+    let places: Vec<[f32; 2]> = (0..1_000_000).map(|k| [(k % 1000 * 2) as f32, (k / 1000) as f32]).collect();
+    let raster = DrawState { space: Space::Raster, ..DrawState::default() };
+    let squares = DrawState { topology: PrimitiveTopology::TriangleStrip, ..raster };
+    for (name, corners, places, state) in [
+        ("instanced_triangles", &corners[..3], &places[..], raster),
+        ("instanced_squares", &corners, &places[..500_000], squares),
+    ] {
+        let mut pass = Pass::new();
+        pass.draw_instanced_with(
+            Mesh { vertices: corners, indices: Indices::Sequential },
+            places,
+            state,
+            |v| {
+                let [x, y] = [0, 1].map(|k| v.vertex[k] + v.instance[k]);
+                (Vec4::from([x, y, 0.5, 1.0]), Vec3::from([x, y, 0.0]))
+            },
+            |f| Rgba::opaque(f.varyings()),
+        );
+        draw(name, 1_000_000, &pass);
+    }
+    // The same triangles with a vertex buffer of three million.
+    let all: Vec<[f32; 2]> =
+        places.iter().flat_map(|&[x, y]| [0, 1, 2].map(|k| [x + corners[k][0], y + corners[k][1]])).collect();
+    let mut pass = Pass::new();
+    pass.draw_with(
+        Mesh { vertices: &all, indices: Indices::Sequential },
+        raster,
+        |&[x, y]| (Vec4::from([x, y, 0.5, 1.0]), Vec3::from([x, y, 0.0])),
+        |f| Rgba::opaque(f.varyings()),
+    );
+    draw("triangles_not_instanced", 1_000_000, &pass);
+}
+
+criterion_group!(benches, stages, primitives);
 criterion_main!(benches);

@@ -28,7 +28,7 @@ pub enum Error {
         /// Pixels down.
         height: u32,
     },
-    /// The number of indices (or of vertices, without indices) is not a multiple of three.
+    /// The number of a list's indices (or of vertices, without indices) is not a multiple of three.
     #[error("draw {draw}: {count} {what} do not make whole triangles; give a multiple of three")]
     PartialTriangle {
         /// The draw's number in its pass, from 0.
@@ -37,6 +37,14 @@ pub enum Error {
         count: usize,
         /// `indices` or `vertices`.
         what: &'static str,
+    },
+    /// [`primitive_restart`](crate::DrawState::primitive_restart) for a list of triangles.
+    #[error(
+        "draw {draw}: a list of triangles has nothing to restart; switch `primitive_restart` off, or draw a strip or a fan"
+    )]
+    RestartInList {
+        /// The draw's number in its pass, from 0.
+        draw: usize,
     },
     /// An index names a vertex that is not there.
     #[error("draw {draw}: index {index} at position {position} is out of range: there are {vertices} vertices")]
@@ -50,14 +58,14 @@ pub enum Error {
         /// The number of vertices.
         vertices: usize,
     },
-    /// More than 2^32 - 1 vertices, or 2^32 - 1 triangles, in one draw.
+    /// More than 2^32 - 1 vertices, or triangles of one instance, or instances, in one draw.
     #[error("draw {draw}: {count} {what} are more than 32-bit numbers can name; split the draw")]
     TooMany {
         /// The draw's number in its pass, from 0.
         draw: usize,
         /// How many there are.
         count: usize,
-        /// `vertices` or `triangles`.
+        /// `vertices`, `triangles` or `instances`; on machines of 32 bits, `vertices of all instances` or `triangles of all instances`, too.
         what: &'static str,
     },
     /// A viewport with a non-finite number, a width that is not positive, a height of 0, or one that is out of range.

@@ -64,9 +64,14 @@
 //! the target's corner: as wide as 32-bit edge functions in a tile allow. Inside it, coverage is exactly that of the snapped triangle; nothing is clipped at
 //! the picture's border.
 //!
+//! # What goes in
+//!
+//! Lists of triangles, strips and fans ([`PrimitiveTopology`]), with or without [`Indices`], with [restarts](DrawState::primitive_restart), and meshes
+//! in many [instances](Pass::draw_instanced). The same triangles are the same bits, whichever way they are given.
+//!
 //! # What comes out
 //!
-//! Colour (8 bits linear or sRGB, or f32), depth, and, for those who shade elsewhere, the visibility buffer: triangle ids, draw ids, barycentric coordinates,
+//! Colour (8 bits linear or sRGB, or f32), depth, and, for those who shade elsewhere, the visibility buffer: triangle, instance and draw ids, barycentric coordinates,
 //! and how often each pixel was covered. See [`Target`].
 //!
 //! # What cannot happen
@@ -95,8 +100,8 @@ mod wide;
 pub use error::Error;
 pub use pass::{
     Blend, BlendComponent, BlendFactor, BlendOperation, ColorMask, Compare, Cull, DepthBias, DepthState, DrawState,
-    DrawStatistics, FrontFace, Indices, Mesh, Pass, Renderer, Scissor, Space, Statistics, StencilFace,
-    StencilOperation, StencilState, Viewport,
+    DrawStatistics, FrontFace, Indices, Instanced, Mesh, Pass, PrimitiveTopology, ProvokingVertex, Renderer, Scissor,
+    Space, Statistics, StencilFace, StencilOperation, StencilState, Viewport,
 };
 pub use settings::{Settings, Simd, TileSize, UnknownSimd};
 pub use target::{ColorBuffer, DepthBuffer, MAX_SIZE, NO_ID, Target};

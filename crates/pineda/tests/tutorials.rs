@@ -1,4 +1,4 @@
-//! The pictures of the five tutorials' examples, by hash of their raw pixels: the same at every SIMD level, with any number
+//! The pictures of the five tutorials' examples and of the others, by hash of their raw pixels: the same at every SIMD level, with any number
 //! of threads and any tile size.
 
 #![allow(missing_docs, reason = "a test")]
@@ -9,6 +9,9 @@ mod barycentric_spin;
 #[path = "../examples/homogeneous.rs"]
 #[allow(dead_code, unreachable_pub, reason = "an example's main and file writing are not run here")]
 mod homogeneous;
+#[path = "../examples/instancing.rs"]
+#[allow(dead_code, unreachable_pub, reason = "an example's main and file writing are not run here")]
+mod instancing;
 #[path = "../examples/ndc_depth.rs"]
 #[allow(dead_code, unreachable_pub, reason = "an example's main and file writing are not run here")]
 mod ndc_depth;
@@ -66,6 +69,11 @@ fn ndc_depth_picture() {
 #[test]
 fn homogeneous_picture() {
     check(homogeneous::draw, 0x0ac8_8cf2_5eef_24c5);
+}
+
+#[test]
+fn instancing_picture() {
+    check(instancing::draw, 0xbd1e_bc8f_27ca_defe);
 }
 
 fn spin(settings: Settings, frames: u32) -> u64 {

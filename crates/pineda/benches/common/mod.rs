@@ -133,6 +133,13 @@ pub(crate) fn knot() -> Scene {
     Scene { vertices, indices: grid_indices(along, around), camera }
 }
 
+/// The same triangles as [`grid_indices`], as strips that are restarted for each row.
+pub(crate) fn grid_strips(outer: u32, inner: u32) -> Vec<u32> {
+    let stride = inner + 1;
+    let row = |j: u32| (0..=inner).flat_map(move |i| [j * stride + i, (j + 1) * stride + i]).chain([u32::MAX]);
+    (0..outer).flat_map(row).collect()
+}
+
 /// Two triangles for each cell of `outer` rows of `inner` cells.
 fn grid_indices(outer: u32, inner: u32) -> Vec<u32> {
     let stride = inner + 1;

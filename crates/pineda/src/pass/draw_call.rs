@@ -1,6 +1,7 @@
 //! A draw with its shader erased: what a pass holds. Inside, everything is compiled for the shader and for each SIMD level.
 
-use super::{DrawState, Indices, Mesh};
+use super::input::{Input, Walk};
+use super::{DrawState, Indices};
 use crate::geometry::project::Projection;
 use crate::geometry::raster_space::ScreenVertex;
 use crate::lanes::Scalar;
@@ -10,15 +11,18 @@ use crate::shading::run::{RECORD_HEADER, Source, record_rows};
 use crate::shading::{Closure, ClosureFragment, FragmentKind, Native, Shader, Varyings, native};
 use crate::wide::{Simd, dispatch};
 use fearless_simd::Level;
+use std::borrow::Borrow;
 
 /// A mesh, a shader and a state.
 pub(crate) trait DrawCall: Sync {
     fn state(&self) -> &DrawState;
     fn indices(&self) -> Indices<'_>;
+    /// Of one instance.
     fn vertex_count(&self) -> usize;
+    fn instance_count(&self) -> usize;
     fn layout(&self) -> VaryingLayout;
     fn discards(&self) -> bool;
-    /// The position of one vertex.
+    /// The position of the vertex of that [number](Source).
     fn position(&self, vertex: usize) -> [f32; 4];
     /// Runs the vertex stage for the vertices at places `first_place` on, as many as there are screen vertices.
     fn run_vertices(&self, level: Level, job: VertexJob<'_>);
@@ -41,9 +45,10 @@ pub(crate) struct VertexJob<'a> {
 }
 
 /// A draw with a [`Shader`].
-pub(crate) struct ShaderDraw<'a, Sh: Shader> {
+pub(crate) struct ShaderDraw<'a, Sh, G> {
     pub(crate) shader: &'a Sh,
-    pub(crate) mesh: Mesh<'a, Sh::Vertex>,
+    pub(crate) input: G,
+    pub(crate) indices: Indices<'a>,
     pub(crate) state: DrawState,
 }
 
@@ -59,17 +64,21 @@ impl<Sh: Shader> VertexStage<Sh::Vertex, Sh::Varyings<Scalar>> for Sh {
     }
 }
 
-impl<Sh: Shader> DrawCall for ShaderDraw<'_, Sh> {
+impl<Sh: Shader, G: Input<In = Sh::Vertex>> DrawCall for ShaderDraw<'_, Sh, G> {
     fn state(&self) -> &DrawState {
         &self.state
     }
 
     fn indices(&self) -> Indices<'_> {
-        self.mesh.indices
+        self.indices
     }
 
     fn vertex_count(&self) -> usize {
-        self.mesh.vertices.len()
+        self.input.vertex_count()
+    }
+
+    fn instance_count(&self) -> usize {
+        self.input.instance_count()
     }
 
     fn layout(&self) -> VaryingLayout {
@@ -82,11 +91,11 @@ impl<Sh: Shader> DrawCall for ShaderDraw<'_, Sh> {
     }
 
     fn position(&self, vertex: usize) -> [f32; 4] {
-        array(self.shader.vertex(&self.mesh.vertices[vertex]).0)
+        array(self.shader.vertex(self.input.fetch_number(vertex).borrow()).0)
     }
 
     fn run_vertices(&self, level: Level, job: VertexJob<'_>) {
-        dispatch!(level, s => run_vertices(s, self.shader, self.mesh.vertices, job));
+        dispatch!(level, s => run_vertices(s, self.shader, &self.input, job));
     }
 
     fn run_fragments(&self, level: Level, batch: &mut PacketBatch) {
@@ -95,10 +104,11 @@ impl<Sh: Shader> DrawCall for ShaderDraw<'_, Sh> {
 }
 
 /// A draw with closures.
-pub(crate) struct ClosureDraw<'a, In, T: Varyings<Scalar>, V, F> {
+pub(crate) struct ClosureDraw<'a, G, T: Varyings<Scalar>, V, F> {
     pub(crate) vertex: V,
     pub(crate) fragment: Closure<F, T::At<Native>>,
-    pub(crate) mesh: Mesh<'a, In>,
+    pub(crate) input: G,
+    pub(crate) indices: Indices<'a>,
     pub(crate) state: DrawState,
 }
 
@@ -112,11 +122,11 @@ impl<In, T, V: Fn(&In) -> (Vec4, T)> VertexStage<In, T> for VertexClosure<'_, V>
     }
 }
 
-impl<In, T, V, F> DrawCall for ClosureDraw<'_, In, T, V, F>
+impl<G, T, V, F> DrawCall for ClosureDraw<'_, G, T, V, F>
 where
-    In: Sync,
+    G: Input,
     T: Varyings<Scalar>,
-    V: Fn(&In) -> (Vec4, T) + Sync,
+    V: Fn(&G::In) -> (Vec4, T) + Sync,
     F: Fn(&mut ClosureFragment<T::At<Native>>) -> Rgba<Native> + Sync,
 {
     fn state(&self) -> &DrawState {
@@ -124,11 +134,15 @@ where
     }
 
     fn indices(&self) -> Indices<'_> {
-        self.mesh.indices
+        self.indices
     }
 
     fn vertex_count(&self) -> usize {
-        self.mesh.vertices.len()
+        self.input.vertex_count()
+    }
+
+    fn instance_count(&self) -> usize {
+        self.input.instance_count()
     }
 
     fn layout(&self) -> VaryingLayout {
@@ -140,11 +154,11 @@ where
     }
 
     fn position(&self, vertex: usize) -> [f32; 4] {
-        array((self.vertex)(&self.mesh.vertices[vertex]).0)
+        array((self.vertex)(self.input.fetch_number(vertex).borrow()).0)
     }
 
     fn run_vertices(&self, level: Level, job: VertexJob<'_>) {
-        dispatch!(level, s => run_vertices::<_, In, T>(s, &VertexClosure(&self.vertex), self.mesh.vertices, job));
+        dispatch!(level, s => run_vertices::<_, G, T>(s, &VertexClosure(&self.vertex), &self.input, job));
     }
 
     fn run_fragments(&self, _: Level, batch: &mut PacketBatch) {
@@ -159,22 +173,25 @@ fn array(v: Vec4) -> [f32; 4] {
 
 /// Sixteen vertices at a time: the user's stage one by one, the projection in the lanes.
 #[inline(always)]
-fn run_vertices<S: Simd, In, V: Varyings<Scalar>>(
+fn run_vertices<S: Simd, G: Input, V: Varyings<Scalar>>(
     s: S,
-    stage: &impl VertexStage<In, V>,
-    vertices: &[In],
+    stage: &impl VertexStage<G::In, V>,
+    input: &G,
     job: VertexJob<'_>,
 ) {
     let rows = record_rows(V::LEN);
     let VertexJob { source, first_place, projection, screen, records } = job;
+    if screen.is_empty() {
+        return;
+    }
+    let mut walk = Walk::new(input, source, first_place);
     let mut at = 0;
     while at < screen.len() {
         let count = (screen.len() - at).min(16);
         let mut positions = [[0.0, 0.0, 0.0, 1.0]; 16];
         let mut k = 0;
         while k < count {
-            let vertex = &vertices[source.vertex(first_place + at + k)];
-            let (position, varyings) = stage.run(vertex);
+            let (position, varyings) = stage.run(walk.next(input).borrow());
             positions[k] = array(position);
             let record = records[(at + k) * rows..(at + k + 1) * rows].as_flattened_mut();
             varyings.write(bytemuck::cast_slice_mut(&mut record[RECORD_HEADER..]));

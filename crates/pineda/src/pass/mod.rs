@@ -1,8 +1,11 @@
 //! Passes: what is to be drawn, recorded first and executed afterwards.
 
+pub(crate) mod assembly;
 mod blend;
 pub(crate) mod draw_call;
+mod input;
 pub(crate) mod plan;
+mod primitives;
 mod render;
 mod state;
 mod statistics;
@@ -10,6 +13,7 @@ mod stencil;
 mod validate;
 
 pub use blend::{Blend, BlendComponent, BlendFactor, BlendOperation, ColorMask};
+pub use primitives::{Indices, Instanced, PrimitiveTopology, ProvokingVertex};
 pub use render::Renderer;
 pub use state::{Compare, Cull, DepthBias, DepthState, DrawState, FrontFace, Scissor, Space, Viewport};
 pub use statistics::{DrawStatistics, Statistics};
@@ -19,6 +23,7 @@ use crate::lanes::Scalar;
 use crate::math::{Rgba, Vec4};
 use crate::shading::{Closure, ClosureFragment, Native, Shader, Varyings};
 use draw_call::{ClosureDraw, DrawCall, ShaderDraw};
+use input::{Instances, Vertices};
 use std::fmt;
 
 /// Draws with their shaders, in order, and what the target is cleared to. [`Renderer::render`] executes it.
@@ -61,7 +66,77 @@ impl<'a> Pass<'a> {
 
     /// Adds a draw. Draws are numbered from 0.
     pub fn draw<Sh: Shader>(&mut self, shader: &'a Sh, mesh: Mesh<'a, Sh::Vertex>, state: DrawState) -> &mut Self {
-        self.draws.push(Box::new(ShaderDraw { shader, mesh, state }));
+        let input = Vertices(mesh.vertices);
+        self.draws.push(Box::new(ShaderDraw { shader, input, indices: mesh.indices, state }));
+        self
+    }
+
+    /// Adds a draw of a mesh once for each instance.
+    ///
+    /// The instances are anything that can be copied: places, matrices, colours, or `()` where the number alone is enough. The vertex stage gets
+    /// each vertex together with the instance's data and number, as an [`Instanced`]. The picture is that of as many draws, one after the other, at a small part of
+    /// their cost: time goes with the number of vertices and triangles, and memory stays within [`Settings::memory`](crate::Settings::memory) as ever.
+    ///
+    /// ```
+    /// use pineda::*;
+    ///
+    /// /// Where a square stands, and its colour.
+    /// #[derive(Clone, Copy)]
+    /// struct Place { offset: [f32; 2], color: [f32; 3] }
+    ///
+    /// struct Squares;
+    ///
+    /// #[shader]
+    /// impl Shader for Squares {
+    ///     type Vertex = Instanced<[f32; 2], Place>;
+    ///     type Varyings<L: Lanes> = Vec3<L>;
+    ///
+    ///     fn vertex(&self, v: &Self::Vertex) -> (Vec4, Vec3) {
+    ///         let ([x, y], [dx, dy]) = (v.vertex, v.instance.offset);
+    ///         (Vec4::from([x + dx, y + dy, 0.0, 1.0]), v.instance.color.into())
+    ///     }
+    ///
+    ///     fn fragment<L: Lanes>(&self, f: &mut Fragment<L, Self>) -> Rgba<L> {
+    ///         Rgba::opaque(f.varyings())
+    ///     }
+    /// }
+    ///
+    /// let corners = [[0.0, 0.0], [0.0, 8.0], [8.0, 0.0], [8.0, 8.0]];
+    /// let places = [
+    ///     Place { offset: [4.0, 4.0], color: [1.0, 0.0, 0.0] },
+    ///     Place { offset: [20.0, 4.0], color: [0.0, 1.0, 0.0] },
+    /// ];
+    /// let mesh = Mesh { vertices: &corners, indices: Indices::Sequential };
+    /// let state =
+    ///     DrawState { topology: PrimitiveTopology::TriangleStrip, space: Space::Raster, ..DrawState::default() };
+    /// let mut pass = Pass::new();
+    /// pass.draw_instanced(&Squares, mesh, &places, state);
+    ///
+    /// let (mut pixels, mut instances) = (vec![[0; 4]; 32 * 16], vec![0; 32 * 16]);
+    /// let mut target = Target {
+    ///     color: ColorBuffer::Rgba8(&mut pixels),
+    ///     instance_ids: Some(&mut instances),
+    ///     ..Target::new(32, 16)
+    /// };
+    /// Renderer::new(Settings::default())?.render(&pass, &mut target)?;
+    /// assert_eq!((pixels[5 * 32 + 5], instances[5 * 32 + 5]), ([255, 0, 0, 255], 0));
+    /// assert_eq!((pixels[5 * 32 + 21], instances[5 * 32 + 21]), ([0, 255, 0, 255], 1));
+    /// # Ok::<(), Error>(())
+    /// ```
+    pub fn draw_instanced<V, I, Sh>(
+        &mut self,
+        shader: &'a Sh,
+        mesh: Mesh<'a, V>,
+        instances: &'a [I],
+        state: DrawState,
+    ) -> &mut Self
+    where
+        V: Copy + Sync,
+        I: Copy + Sync,
+        Sh: Shader<Vertex = Instanced<V, I>>,
+    {
+        let input = Instances { vertices: mesh.vertices, instances };
+        self.draws.push(Box::new(ShaderDraw { shader, input, indices: mesh.indices, state }));
         self
     }
 
@@ -94,13 +169,56 @@ impl<'a> Pass<'a> {
         V: Fn(&In) -> (Vec4, T) + Sync + 'a,
         F: Fn(&mut ClosureFragment<T::At<Native>>) -> Rgba<Native> + Sync + 'a,
     {
-        let fragment = Closure::new(fragment);
-        self.draws.push(Box::new(ClosureDraw::<In, T, V, F> { vertex, fragment, mesh, state }));
+        let (input, fragment) = (Vertices(mesh.vertices), Closure::new(fragment));
+        self.draws.push(Box::new(ClosureDraw::<_, T, V, F> { vertex, fragment, input, indices: mesh.indices, state }));
+        self
+    }
+
+    /// Adds a draw of a mesh once for each instance, with closures instead of a shader: the short way of [`draw_instanced`](Self::draw_instanced).
+    ///
+    /// ```
+    /// use pineda::*;
+    /// let triangle = [[0.0, 0.0], [7.0, 0.0], [0.0, 7.0]];
+    /// let mut pass = Pass::new();
+    /// pass.draw_instanced_with(
+    ///     Mesh { vertices: &triangle, indices: Indices::Sequential },
+    ///     &[(); 100],
+    ///     DrawState { space: Space::Raster, ..DrawState::default() },
+    ///     |v| {
+    ///         let (row, column) = (v.instance_id / 10, v.instance_id % 10);
+    ///         let [x, y] = v.vertex;
+    ///         (Vec4::from([x + 8.0 * column as f32, y + 8.0 * row as f32, 0.0, 1.0]), ())
+    ///     },
+    ///     |f| Rgba::gray(f.splat(1.0)),
+    /// );
+    /// let mut hits = vec![0; 80 * 80];
+    /// let mut target = Target { hits: Some(&mut hits), ..Target::new(80, 80) };
+    /// Renderer::new(Settings::default())?.render(&pass, &mut target)?;
+    /// assert_eq!(hits.iter().sum::<u32>(), 100 * 21);
+    /// # Ok::<(), Error>(())
+    /// ```
+    pub fn draw_instanced_with<In, I, T, V, F>(
+        &mut self,
+        mesh: Mesh<'a, In>,
+        instances: &'a [I],
+        state: DrawState,
+        vertex: V,
+        fragment: F,
+    ) -> &mut Self
+    where
+        In: Copy + Sync,
+        I: Copy + Sync,
+        T: Varyings<Scalar> + 'a,
+        V: Fn(&Instanced<In, I>) -> (Vec4, T) + Sync + 'a,
+        F: Fn(&mut ClosureFragment<T::At<Native>>) -> Rgba<Native> + Sync + 'a,
+    {
+        let (input, fragment) = (Instances { vertices: mesh.vertices, instances }, Closure::new(fragment));
+        self.draws.push(Box::new(ClosureDraw::<_, T, V, F> { vertex, fragment, input, indices: mesh.indices, state }));
         self
     }
 }
 
-/// Vertices, and the triangles that they make.
+/// Vertices, and which of them are drawn: as a list of triangles, unless [`DrawState::topology`] says otherwise.
 #[derive(Debug)]
 pub struct Mesh<'a, V> {
     /// Anything that the vertex stage takes.
@@ -116,13 +234,3 @@ impl<V> Clone for Mesh<'_, V> {
 }
 
 impl<V> Copy for Mesh<'_, V> {}
-
-/// Which vertices make triangles: three each.
-#[derive(Clone, Copy, Debug, Default)]
-pub enum Indices<'a> {
-    /// Vertices 0, 1, 2, then 3, 4, 5, and so on.
-    #[default]
-    Sequential,
-    /// The vertices that these name, three by three. Triangles as `[u32; 3]` are given with `as_flattened()`.
-    U32(&'a [u32]),
-}

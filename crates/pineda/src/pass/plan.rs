@@ -4,7 +4,9 @@
 //! there are more, each is drawn to the target before the next: the target holds all that there is between two draws, so that
 //! it makes no difference to any bit.
 
-use super::validate::{DrawExtent, smallest_and_largest};
+use super::assembly::Assembly;
+use super::draw_call::DrawCall;
+use super::validate::DrawExtent;
 use super::{ColorMask, Compare, DepthState, DrawState, Indices, Pass, Scissor, Viewport};
 use crate::geometry::project::Projection;
 use crate::raster::corners::Corners;
@@ -13,8 +15,9 @@ use crate::raster::triangle_id::MAX_BATCH_TRIANGLES;
 use crate::shading::run::Source;
 use std::ops::Range;
 
-/// Bytes that a triangle takes in records and bins, about.
+/// Bytes that a triangle takes in records and bins, about; and in the list of those that are assembled.
 const TRIANGLE_BYTES: usize = 56;
+const ASSEMBLED_BYTES: usize = 12;
 /// Bytes of a screen vertex.
 const SCREEN_VERTEX_BYTES: usize = 16;
 /// No batch is made for less than this, and none for more: so that 32 bits can name any word of its vertex records.
@@ -25,13 +28,14 @@ const MOST_MEMORY: usize = if usize::BITS == 32 { 1 << 31 } else { 8 << 30 };
 #[derive(Clone, Debug)]
 pub(crate) struct Run<'p> {
     pub(crate) draw: usize,
-    /// The first of its triangles, as the draw counts them, and how many there are.
+    /// The first of its triangles, as the draw counts them through all instances, and how many there are.
     pub(crate) first_triangle: usize,
     pub(crate) triangles: usize,
+    /// Triangles of one instance.
+    pub(crate) triangles_each: usize,
     /// The number of its first triangle in the batch.
     pub(crate) first_number: usize,
-    pub(crate) corners: Corners<'p>,
-    pub(crate) source: Source<'p>,
+    pub(crate) geometry: Geometry<'p>,
     /// Where its vertices stand in the batch's screen vertices, and their records' rows.
     pub(crate) screen: Range<usize>,
     pub(crate) records: Range<usize>,
@@ -39,6 +43,60 @@ pub(crate) struct Run<'p> {
     /// What its draw can cover.
     pub(crate) rect: PixelRect,
     pub(crate) segment: usize,
+}
+
+/// Which vertices a run shades, and which of them its triangles have.
+#[derive(Clone, Debug)]
+pub(crate) enum Geometry<'p> {
+    /// As the draw's indices say, or as vertices follow each other.
+    Given(Corners<'p>, Source<'p>),
+    /// As the triangles say that are assembled in this part of the batch's list. They hold places; vertex `first_vertex` of each instance
+    /// has its first, and `vertices_each` later comes the next instance's.
+    Shared { triangles: Range<usize>, first_vertex: u32, vertices_each: u32, source: Source<'static> },
+    /// Each corner a vertex of its own, as the triangles of one instance say that are assembled in this part of the batch's list. The first
+    /// instance's vertex 0 has the number `base`, and they are `stride` apart.
+    Alone { triangles: Range<usize>, base: usize, stride: usize },
+}
+
+impl Run<'_> {
+    pub(crate) fn corners<'a>(&'a self, assembled: &'a [[u32; 3]]) -> Corners<'a> {
+        match &self.geometry {
+            Geometry::Given(corners, _) => *corners,
+            Geometry::Shared { triangles, .. } => {
+                Corners::Indexed { indices: &assembled[triangles.clone()], first_vertex: 0 }
+            }
+            Geometry::Alone { .. } => Corners::Sequential,
+        }
+    }
+
+    pub(crate) fn source<'a>(&'a self, assembled: &'a [[u32; 3]]) -> Source<'a> {
+        match &self.geometry {
+            Geometry::Given(_, source) => *source,
+            Geometry::Shared { source, .. } => *source,
+            Geometry::Alone { triangles, base, stride } => {
+                let indices = assembled[triangles.clone()].as_flattened();
+                Source::List { indices, base: *base, stride: *stride }
+            }
+        }
+    }
+
+    /// How many triangles are assembled for it.
+    pub(crate) fn assembled(&self) -> usize {
+        match &self.geometry {
+            Geometry::Given(..) => 0,
+            Geometry::Shared { triangles, .. } | Geometry::Alone { triangles, .. } => triangles.len(),
+        }
+    }
+
+    /// The instance that a triangle of the run belongs to, and its number there; `triangle` counts from the run's first.
+    pub(crate) fn instance_and_triangle(&self, triangle: usize) -> (usize, usize) {
+        let triangle = self.first_triangle + triangle;
+        // Mostly there is one instance, and divisions take longer than all else that is done for a pixel's id.
+        if triangle < self.triangles_each {
+            return (0, triangle);
+        }
+        (triangle / self.triangles_each, triangle % self.triangles_each)
+    }
 }
 
 /// Consecutive runs that tiles treat alike.
@@ -90,6 +148,8 @@ pub(crate) struct Batch<'p> {
     pub(crate) runs: Vec<Run<'p>>,
     pub(crate) segments: Vec<Segment>,
     pub(crate) triangles: usize,
+    /// Of those, how many are assembled.
+    pub(crate) assembled: usize,
     pub(crate) screen_vertices: usize,
     pub(crate) record_rows: usize,
     bytes: usize,
@@ -100,101 +160,186 @@ pub(crate) struct Batch<'p> {
 /// Cuts a valid pass into at least one batch.
 pub(crate) fn plan<'p>(
     pass: &'p Pass<'_>,
-    extents: &[DrawExtent],
+    extents: &'p [DrawExtent],
     width: u32,
     height: u32,
     memory: usize,
     counts: bool,
-) -> Vec<Batch<'p>> {
+) -> Plan<'p> {
     let budget = memory.clamp(LEAST_MEMORY, MOST_MEMORY);
-    let fresh = || Batch { counts, ..Batch::default() };
-    let mut batches = vec![fresh()];
-    for (draw, extent) in extents.iter().enumerate() {
-        let mut first = 0;
-        while first < extent.triangles {
-            let last = batches.len() - 1;
-            let room = budget - batches[last].bytes.min(budget);
-            let room_for = MAX_BATCH_TRIANGLES - batches[last].triangles;
-            let is_fresh = batches[last].runs.is_empty();
-            match piece(pass, extent, draw, first, room, room_for, is_fresh) {
-                Some(piece) => {
-                    first += piece.triangles;
-                    batches[last].push(pass, draw, piece, width, height);
-                }
-                None => batches.push(fresh()),
-            }
+    Plan { pass, extents, width, height, budget, counts, draw: 0, triangle: 0, is_done: false }
+}
+
+/// One batch after the other: of a draw with very many instances there are more than one would like to keep.
+#[derive(Clone, Debug)]
+pub(crate) struct Plan<'p> {
+    pass: &'p Pass<'p>,
+    extents: &'p [DrawExtent],
+    width: u32,
+    height: u32,
+    budget: usize,
+    /// As [`Batch::counts`].
+    counts: bool,
+    /// The next triangle: its draw, and its number there through all instances.
+    draw: usize,
+    triangle: usize,
+    is_done: bool,
+}
+
+impl<'p> Iterator for Plan<'p> {
+    type Item = Batch<'p>;
+
+    fn next(&mut self) -> Option<Batch<'p>> {
+        if self.is_done {
+            return None;
         }
+        let mut batch = Batch { counts: self.counts, ..Batch::default() };
+        while let Some(extent) = self.extents.get(self.draw) {
+            if self.triangle == extent.triangles * extent.instances {
+                (self.draw, self.triangle) = (self.draw + 1, 0);
+                continue;
+            }
+            let room = Room {
+                bytes: self.budget - batch.bytes.min(self.budget),
+                triangles: MAX_BATCH_TRIANGLES - batch.triangles,
+                is_fresh: batch.runs.is_empty(),
+            };
+            let call = &*self.pass.draws[self.draw];
+            let Some(piece) = piece(call, extent, self.triangle, &room, batch.assembled) else { return Some(batch) };
+            self.triangle += piece.triangles;
+            batch.push(call, self.draw, extent, piece, self.width, self.height);
+        }
+        self.is_done = true;
+        Some(batch)
     }
-    batches
+}
+
+/// What a batch still has room for.
+struct Room {
+    bytes: usize,
+    triangles: usize,
+    is_fresh: bool,
 }
 
 /// Triangles of a draw from some first one on, and the vertices that are shaded for them.
 struct Piece<'p> {
     first: usize,
     triangles: usize,
-    corners: Corners<'p>,
-    source: Source<'p>,
+    geometry: Geometry<'p>,
     vertices: usize,
     bytes: usize,
 }
 
-/// As many triangles as there is room for; `None` if it is better to start a fresh batch.
+/// As many triangles as there is room for; `None` if it is better to start a fresh batch. `assembled` is where those begin that are assembled for it.
 fn piece<'p>(
-    pass: &'p Pass<'_>,
+    call: &'p (dyn DrawCall + 'p),
     extent: &DrawExtent,
-    draw: usize,
     first: usize,
-    room: usize,
-    room_for: usize,
-    is_fresh: bool,
+    room: &Room,
+    assembled: usize,
 ) -> Option<Piece<'p>> {
-    let call = &pass.draws[draw];
+    let assembly = Assembly::of(call);
+    let (instance, within) = (first / extent.triangles, first % extent.triangles);
+    let base = instance * call.vertex_count();
+    let is_assembled = !assembly.is_plain_list()
+        || match assembly.indices {
+            Indices::Sequential => false,
+            Indices::U32(_) => extent.instances > 1,
+            Indices::U8(_) | Indices::U16(_) => true,
+        };
+    let triangle_bytes = TRIANGLE_BYTES + if is_assembled { ASSEMBLED_BYTES } else { 0 };
     let vertex_bytes = SCREEN_VERTEX_BYTES + 16 * call.record_rows();
-    let bytes = |triangles: usize, vertices: usize| triangles * TRIANGLE_BYTES + vertices * vertex_bytes;
-    let left = (extent.triangles - first).min(room_for);
-    // With vertices of its own for each corner.
-    let alone = left.min((room / bytes(1, 3)).max(if is_fresh { 16 } else { 0 }));
-    let sequential = |triangles: usize, source: Source<'p>| {
-        let (vertices, bytes) = (3 * triangles, bytes(triangles, 3 * triangles));
-        (triangles > 0).then_some(Piece { first, triangles, corners: Corners::Sequential, source, vertices, bytes })
+    let bytes = |triangles: usize, vertices: usize| {
+        triangles.saturating_mul(triangle_bytes).saturating_add(vertices.saturating_mul(vertex_bytes))
     };
-    let indices = match call.indices() {
-        Indices::Sequential => return sequential(alone, Source::Range(3 * first)),
-        Indices::U32(indices) => indices,
+    let shared = |triangles: usize, vertices: Range<usize>, instances: usize| {
+        let source = if instances == 1 {
+            Source::Range(base + vertices.start)
+        } else {
+            let (first, each) = (base + vertices.start, vertices.len());
+            Source::Instances { first, each, stride: call.vertex_count() }
+        };
+        let geometry = match assembly.indices {
+            Indices::Sequential if !is_assembled => Geometry::Given(Corners::Sequential, source),
+            Indices::U32(indices) if !is_assembled => {
+                let indices = &indices.as_chunks().0[within..within + triangles];
+                Geometry::Given(Corners::Indexed { indices, first_vertex: vertices.start as u32 }, source)
+            }
+            _ => Geometry::Shared {
+                triangles: assembled..assembled + triangles * instances,
+                first_vertex: vertices.start as u32,
+                vertices_each: vertices.len() as u32,
+                source,
+            },
+        };
+        let (triangles, vertices) = (triangles * instances, vertices.len() * instances);
+        Piece { first, triangles, geometry, vertices, bytes: bytes(triangles, vertices) }
     };
-    let shared = |triangles: usize, vertices: Range<usize>| Piece {
-        first,
-        triangles,
-        corners: Corners::Indexed {
-            indices: &indices.as_chunks().0[first..first + triangles],
-            first_vertex: vertices.start as u32,
-        },
-        source: Source::Range(vertices.start),
-        vertices: vertices.len(),
-        bytes: bytes(triangles, vertices.len()),
+
+    // With a vertex of its own for each corner.
+    let alone = |triangles: usize, instances: usize| {
+        let stride = call.vertex_count();
+        let geometry = match assembly.indices {
+            Indices::U32(indices) if assembly.is_plain_list() => {
+                let indices = &indices[3 * within..3 * (within + triangles)];
+                Geometry::Given(Corners::Sequential, Source::List { indices, base, stride })
+            }
+            _ => Geometry::Alone { triangles: assembled..assembled + triangles, base, stride },
+        };
+        let triangles = triangles * instances;
+        Piece { first, triangles, geometry, vertices: 3 * triangles, bytes: bytes(triangles, 3 * triangles) }
     };
-    // All that is left, with all of the draw's vertices.
-    if left == extent.triangles - first && bytes(left, extent.vertices.len()) <= room {
-        return Some(shared(left, extent.vertices.clone()));
+
+    if within == 0 && extent.instances > 1 {
+        let is_sparse = extent.vertices.len() > 3 * extent.triangles;
+        let vertices = if is_sparse { 3 * extent.triangles } else { extent.vertices.len() };
+        let each = bytes(extent.triangles, vertices);
+        let whole = (extent.instances - instance).min(room.triangles / extent.triangles).min(room.bytes / each);
+        if whole > 0 {
+            let vertices = extent.vertices.clone();
+            return Some(if is_sparse {
+                alone(extent.triangles, whole)
+            } else {
+                shared(extent.triangles, vertices, whole)
+            });
+        }
     }
-    if !is_fresh {
+
+    let left = (extent.triangles - within).min(room.triangles);
+    let count_alone = left.min((room.bytes / bytes(1, 3)).max(if room.is_fresh { 16 } else { 0 }));
+    let is_sequential_list = matches!(assembly.indices, Indices::Sequential) && !is_assembled;
+    if is_sequential_list {
+        return (count_alone > 0).then(|| shared(count_alone, 3 * within..3 * (within + count_alone), 1));
+    }
+    // All that is left, with all of the draw's vertices.
+    if left == extent.triangles - within && bytes(left, extent.vertices.len()) <= room.bytes {
+        return Some(shared(left, extent.vertices.clone(), 1));
+    }
+    if !room.is_fresh {
         return None;
     }
     // A stretch whose vertices stand close together in the buffer, as those of most meshes do.
-    let triangles = left.min(room / bytes(1, 1));
-    if triangles > alone {
-        let (low, high) = smallest_and_largest(&indices[3 * first..3 * (first + triangles)]);
+    let triangles = left.min(room.bytes / bytes(1, 1));
+    if triangles > count_alone {
+        let (low, high) = assembly.reach(&extent.stretches, within, triangles);
         let span = low as usize..high as usize + 1;
-        if bytes(triangles, span.len()) <= room {
-            return Some(shared(triangles, span));
+        if bytes(triangles, span.len()) <= room.bytes {
+            return Some(shared(triangles, span, 1));
         }
     }
-    sequential(alone, Source::List(&indices[3 * first..3 * (first + alone)]))
+    Some(alone(count_alone, 1))
 }
 
 impl<'p> Batch<'p> {
-    fn push(&mut self, pass: &Pass<'_>, draw: usize, piece: Piece<'p>, width: u32, height: u32) {
-        let call = &pass.draws[draw];
+    fn push(
+        &mut self,
+        call: &(dyn DrawCall + '_),
+        draw: usize,
+        extent: &DrawExtent,
+        piece: Piece<'p>,
+        width: u32,
+        height: u32,
+    ) {
         let state = call.state();
         let viewport = state.viewport.unwrap_or(Viewport::whole(width, height));
         let rect = covered_rect(&viewport, state.scissor, width, height);
@@ -209,13 +354,16 @@ impl<'p> Batch<'p> {
         let screen = self.screen_vertices..self.screen_vertices + piece.vertices;
         let records = self.record_rows..self.record_rows + piece.vertices * call.record_rows();
         (self.screen_vertices, self.record_rows) = (screen.end, records.end);
+        if let Geometry::Shared { triangles, .. } | Geometry::Alone { triangles, .. } = &piece.geometry {
+            self.assembled = triangles.end;
+        }
         self.runs.push(Run {
             draw,
             first_triangle: piece.first,
             triangles: piece.triangles,
+            triangles_each: extent.triangles,
             first_number: self.triangles,
-            corners: piece.corners,
-            source: piece.source,
+            geometry: piece.geometry,
             screen,
             records,
             projection: Projection::new(state.space, &viewport).with_depth_clamp(state.depth_clamp),

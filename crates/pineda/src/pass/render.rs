@@ -1,8 +1,9 @@
 //! Executing a pass.
 
+use super::assembly::Assembly;
 use super::draw_call::VertexJob;
-use super::plan::{Batch, Run, plan};
-use super::validate::validate;
+use super::plan::{Batch, Geometry, Plan, Run, plan};
+use super::validate::{DrawExtent, validate};
 use super::{Cull, DrawStatistics, FrontFace, Pass, Statistics};
 use crate::geometry::raster_space::ScreenVertex;
 use crate::raster::bins::{Share, TileGrid};
@@ -24,6 +25,7 @@ pub struct Renderer {
     level: Level,
     threads: usize,
     settings: Settings,
+    assembled: Vec<[u32; 3]>,
     screen: Vec<ScreenVertex>,
     records: Vec<[u32; 4]>,
     shares: Vec<Share>,
@@ -34,6 +36,8 @@ pub struct Renderer {
     stencil: Vec<u8>,
 }
 
+/// Triangles that one job assembles.
+const ASSEMBLED_PER_JOB: usize = 1 << 15;
 /// Vertices that one job shades.
 const VERTICES_PER_JOB: usize = 4096;
 /// Triangles below which another share is not worth its bins.
@@ -50,6 +54,7 @@ impl Renderer {
             level,
             threads,
             settings,
+            assembled: Vec::new(),
             screen: Vec::new(),
             records: Vec::new(),
             shares: Vec::new(),
@@ -102,18 +107,20 @@ impl Renderer {
     ) -> Result<Statistics, Error> {
         target.validate()?;
         let extents = validate(pass, self.level, self.threads)?;
-        let batches = plan(pass, &extents, target.width, target.height, self.settings.memory, draws.is_some());
-        self.reserve(&batches, target, uses_stencil(pass))?;
+        let mut others = plan(pass, &extents, target.width, target.height, self.settings.memory, draws.is_some());
+        let first = others.next().unwrap_or_default();
+        let flushes = self.reserve(&first, others.clone(), target, uses_stencil(pass))?;
         let grid = TileGrid::new(target.width, target.height, self.settings.tile.log2());
         let (mut depth, mut stencil) = (std::mem::take(&mut self.depth), std::mem::take(&mut self.stencil));
-        let mut target = with_own(target, &mut depth, &mut stencil, batches.len());
+        let mut target = with_own(target, &mut depth, &mut stencil, flushes);
         let mut statistics = Statistics::default();
-        for (flush, batch) in batches.iter().enumerate() {
-            self.run_vertices(pass, batch);
-            self.set_up(pass, batch, grid, target.depth.format(), draws.is_some());
-            self.paint(pass, batch, grid, &mut target, flush == 0);
+        for (flush, batch) in std::iter::once(first).chain(others).enumerate() {
+            self.assemble(pass, &extents, &batch);
+            self.run_vertices(pass, &batch);
+            self.set_up(pass, &batch, grid, target.depth.format(), draws.is_some());
+            self.paint(pass, &batch, grid, &mut target, flush == 0);
             if let Some(draws) = draws.as_deref_mut() {
-                self.collect(batch, draws);
+                self.collect(&batch, draws);
             }
             statistics.flushes += 1;
             self.shares.iter().for_each(|share| statistics.add(&share.statistics));
@@ -122,23 +129,77 @@ impl Renderer {
         Ok(statistics)
     }
 
-    /// Memory for the largest batch, and for each thread's state.
-    fn reserve(&mut self, batches: &[Batch<'_>], target: &Target<'_>, stencil: bool) -> Result<(), Error> {
-        let screen = batches.iter().map(|batch| batch.screen_vertices).max().unwrap_or(0);
-        let records = batches.iter().map(|batch| batch.record_rows).max().unwrap_or(0);
+    /// Memory for the largest batch, and for each thread's state. Returns how many batches there are.
+    fn reserve(
+        &mut self,
+        first: &Batch<'_>,
+        others: Plan<'_>,
+        target: &Target<'_>,
+        stencil: bool,
+    ) -> Result<usize, Error> {
+        let (mut flushes, mut assembled) = (1, first.assembled);
+        let (mut screen, mut records) = (first.screen_vertices, first.record_rows);
+        for batch in others {
+            flushes += 1;
+            assembled = batch.assembled.max(assembled);
+            screen = batch.screen_vertices.max(screen);
+            records = batch.record_rows.max(records);
+        }
+        grow(&mut self.assembled, assembled, "triangles of strips, fans and instances")?;
         grow(&mut self.screen, screen, "projected vertices")?;
         grow(&mut self.records, records, "vertex records")?;
         let pixels = target.width as usize * target.height as usize;
-        if batches.len() > 1 && target.depth.is_none() {
+        if flushes > 1 && target.depth.is_none() {
             grow(&mut self.depth, pixels, "depth between flushes")?;
         }
-        if batches.len() > 1 && target.stencil.is_none() && stencil {
+        if flushes > 1 && target.stencil.is_none() && stencil {
             grow(&mut self.stencil, pixels, "stencil between flushes")?;
         } else {
             self.stencil.clear();
         }
         self.painters.resize_with(self.threads, Painter::new);
-        Ok(())
+        Ok(flushes)
+    }
+
+    /// Primitive assembly, where triangles are not given as the later stages want them.
+    fn assemble(&mut self, pass: &Pass<'_>, extents: &[DrawExtent], batch: &Batch<'_>) {
+        let (mut firsts, mut copies) = (Vec::new(), Vec::new());
+        let mut rest = &mut self.assembled[..batch.assembled];
+        for run in &batch.runs {
+            let (first_vertex, vertices_each) = match run.geometry {
+                Geometry::Given(..) => continue,
+                Geometry::Shared { first_vertex, vertices_each, .. } => (first_vertex, vertices_each),
+                Geometry::Alone { .. } => (0, 0),
+            };
+            let (own, first, others);
+            (own, rest) = rest.split_at_mut(run.assembled());
+            (first, others) = own.split_at_mut(run.assembled().min(run.triangles_each));
+            firsts.push((run, first_vertex, first));
+            copies.push((others, vertices_each));
+        }
+        let mut workers = vec![(); self.threads];
+        let mut jobs = Vec::new();
+        for (run, first_vertex, first) in &mut firsts {
+            let (_, mut next) = run.instance_and_triangle(0);
+            for out in first.chunks_mut(ASSEMBLED_PER_JOB) {
+                let begin = next;
+                next += out.len();
+                jobs.push((run.draw, *first_vertex, begin, out));
+            }
+        }
+        parallel::for_each(&mut workers, jobs.into_iter(), |(), (draw, first_vertex, begin, out)| {
+            Assembly::of(&*pass.draws[draw]).assemble(&extents[draw].stretches, begin, first_vertex, out);
+        });
+        let mut jobs = Vec::new();
+        for ((_, _, first), (others, vertices_each)) in firsts.iter().zip(copies) {
+            let instances = (ASSEMBLED_PER_JOB / first.len().max(1)).max(1);
+            for (k, out) in others.chunks_mut(instances * first.len().max(1)).enumerate() {
+                jobs.push((&**first, out, (1 + k * instances) as u32 * vertices_each, vertices_each));
+            }
+        }
+        parallel::for_each(&mut workers, jobs.into_iter(), |(), (first, out, offset, vertices_each)| {
+            copy_instances(first, out, offset, vertices_each);
+        });
     }
 
     /// The vertex stage.
@@ -153,7 +214,7 @@ impl Renderer {
                 (own_screen, screen) = screen.split_at_mut(count);
                 (own_records, records) = records.split_at_mut(count * rows);
                 let job = VertexJob {
-                    source: run.source,
+                    source: run.source(&self.assembled),
                     first_place: first,
                     projection: &run.projection,
                     screen: own_screen,
@@ -173,7 +234,7 @@ impl Renderer {
         let count = batch.triangles.div_ceil(LEAST_SHARE).clamp(1, self.threads);
         self.shares.resize_with(count, Share::default);
         let size = batch.triangles.div_ceil(count).next_multiple_of(16);
-        let (level, screen) = (self.level, &self.screen[..]);
+        let (level, screen, assembled) = (self.level, &self.screen[..], &self.assembled[..]);
         let shares = self.shares.iter_mut().enumerate();
         parallel::for_each(&mut vec![(); self.threads], shares, |(), (k, share)| {
             share.reset(&grid);
@@ -185,7 +246,8 @@ impl Renderer {
                     break;
                 }
                 let call = &pass.draws[run.draw];
-                let positions = |places: [usize; 3]| places.map(|place| call.position(run.source.vertex(place)));
+                let (corners, source) = (run.corners(assembled), run.source(assembled));
+                let positions = |places: [usize; 3]| places.map(|place| call.position(source.vertex(place)));
                 let (cull_clockwise, cull_counter_clockwise) = culled(call.state().cull, call.state().front_face);
                 let bias = Bias::new(&call.state().depth_bias, format);
                 let state = SetupState {
@@ -201,7 +263,7 @@ impl Renderer {
                 share.start_segment(run.segment);
                 let (range, screen) = (start..end - run.first_number, &screen[run.screen.clone()]);
                 let before = share.statistics;
-                dispatch!(level, s => setup(s, &state, &run.corners, screen, range, run.first_number, share));
+                dispatch!(level, s => setup(s, &state, &corners, screen, range, run.first_number, share));
                 if counts {
                     share.count(run.draw, &before);
                 }
@@ -225,14 +287,17 @@ impl Renderer {
 
     /// Coverage, depth and shading, tile by tile.
     fn paint(&mut self, pass: &Pass<'_>, batch: &Batch<'_>, grid: TileGrid, target: &mut Target<'_>, is_first: bool) {
-        let view = |run| view(pass, run, &self.records);
+        let view = |run| view(pass, run, &self.assembled, &self.records);
         let runs: Vec<RunView<'_>> = batch.runs.iter().map(view).collect();
         let (width, height) = (target.width, target.height);
         let wants = Wants {
             color: ColorFormat::of(target),
             depth: !target.depth.is_none(),
             stencil: target.stencil.is_some() || uses_stencil(pass),
-            ids: target.triangle_ids.is_some() || target.draw_ids.is_some() || target.barycentrics.is_some(),
+            ids: target.triangle_ids.is_some()
+                || target.instance_ids.is_some()
+                || target.draw_ids.is_some()
+                || target.barycentrics.is_some(),
             hits: target.hits.is_some(),
         };
         let depth_format = target.depth.format();
@@ -262,15 +327,27 @@ impl Renderer {
     }
 }
 
+/// Triangles of further instances: those of the first, with the vertices that come `vertices_each` later each time.
+fn copy_instances(first: &[[u32; 3]], out: &mut [[u32; 3]], mut offset: u32, vertices_each: u32) {
+    for instance in out.chunks_mut(first.len().max(1)) {
+        for (to, from) in instance.as_flattened_mut().iter_mut().zip(first.as_flattened()) {
+            *to = from + offset;
+        }
+        offset = offset.wrapping_add(vertices_each);
+    }
+}
+
 /// What shading sees of a run.
-fn view<'a>(pass: &Pass<'_>, run: &'a Run<'_>, records: &'a [[u32; 4]]) -> RunView<'a> {
+fn view<'a>(pass: &Pass<'_>, run: &'a Run<'_>, assembled: &'a [[u32; 3]], records: &'a [[u32; 4]]) -> RunView<'a> {
+    let state = pass.draws[run.draw].state();
     RunView {
-        corners: run.corners,
-        source: run.source,
+        corners: run.corners(assembled),
+        source: run.source(assembled),
         first_number: run.first_number,
         records: &records[run.records.clone()],
         projection: &run.projection,
-        front_is_clockwise: pass.draws[run.draw].state().front_face == FrontFace::Clockwise,
+        front_is_clockwise: state.front_face == FrontFace::Clockwise,
+        provoking: state.provoking_vertex,
     }
 }
 
@@ -300,6 +377,7 @@ fn with_own<'a>(target: &'a mut Target<'_>, depth: &'a mut [f32], stencil: &'a m
         depth: own.map_or(target.depth.reborrow(), DepthBuffer::D32F),
         stencil: target.stencil.as_deref_mut().or(stencil.get_mut(..pixels)),
         triangle_ids: target.triangle_ids.as_deref_mut(),
+        instance_ids: target.instance_ids.as_deref_mut(),
         draw_ids: target.draw_ids.as_deref_mut(),
         barycentrics: target.barycentrics.as_deref_mut(),
         hits: target.hits.as_deref_mut(),

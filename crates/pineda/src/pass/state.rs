@@ -1,6 +1,6 @@
 //! The fixed-function settings of a draw: plain structs with defaults.
 
-use super::{Blend, ColorMask, StencilState};
+use super::{Blend, ColorMask, PrimitiveTopology, ProvokingVertex, StencilState};
 
 /// Everything about a draw that is not its shader or its mesh.
 ///
@@ -12,6 +12,39 @@ use super::{Blend, ColorMask, StencilState};
 pub struct DrawState {
     /// The space that the vertex stage's positions are in.
     pub space: Space,
+    /// How vertices make triangles.
+    pub topology: PrimitiveTopology,
+    /// Whether the largest index that there can be (0xff, 0xffff or 0xffff_ffff, by the type of the indices) names no vertex but ends a strip or a fan:
+    /// the next index begins another one.
+    ///
+    /// Triangles are counted over all strips or fans of the draw, and only those that exist: one of n vertices has n - 2, and one of fewer than three none.
+    /// Without indices there is nothing to restart; with a list it is an [error](crate::Error::RestartInList).
+    ///
+    /// ```
+    /// use pineda::*;
+    /// let corners = [[0.0, 0.0], [0.0, 8.0], [8.0, 0.0], [8.0, 8.0], [16.0, 0.0], [16.0, 8.0], [24.0, 0.0], [24.0, 8.0]];
+    /// let two_squares = [0, 1, 2, 3, 0xff, 4, 5, 6, 7];
+    /// let mut pass = Pass::new();
+    /// pass.draw_with(
+    ///     Mesh { vertices: &corners, indices: Indices::U8(&two_squares) },
+    ///     DrawState {
+    ///         topology: PrimitiveTopology::TriangleStrip,
+    ///         primitive_restart: true,
+    ///         space: Space::Raster,
+    ///         ..DrawState::default()
+    ///     },
+    ///     |&[x, y]| (Vec4::from([x, y, 0.0, 1.0]), ()),
+    ///     |f| Rgba::gray(f.splat(1.0)),
+    /// );
+    /// let mut ids = vec![0; 24 * 8];
+    /// let mut target = Target { triangle_ids: Some(&mut ids), ..Target::new(24, 8) };
+    /// Renderer::new(Settings::default())?.render(&pass, &mut target)?;
+    /// assert_eq!(ids[..24], [0, 0, 0, 0, 0, 0, 0, 1, NO_ID, NO_ID, NO_ID, NO_ID, NO_ID, NO_ID, NO_ID, NO_ID, 2, 2, 2, 2, 2, 2, 2, 3]);
+    /// # Ok::<(), Error>(())
+    /// ```
+    pub primitive_restart: bool,
+    /// Which vertex of a triangle `#[flat]` varyings have their value from.
+    pub provoking_vertex: ProvokingVertex,
     /// Which faces are left out.
     pub cull: Cull,
     /// Which winding is the front.
@@ -39,6 +72,9 @@ impl DrawState {
     /// What [`DrawState::default`] returns, for constants.
     pub const DEFAULT: Self = Self {
         space: Space::Clip,
+        topology: PrimitiveTopology::TriangleList,
+        primitive_restart: false,
+        provoking_vertex: ProvokingVertex::First,
         cull: Cull::None,
         front_face: FrontFace::CounterClockwise,
         depth: DepthState { compare: Compare::Less, write: true },

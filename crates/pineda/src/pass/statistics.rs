@@ -2,7 +2,7 @@
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Statistics {
-    /// Triangles that came in.
+    /// Triangles that came in, of all instances.
     pub triangles: u64,
     /// Of those, dropped because a vertex has a NaN or infinite position.
     pub non_finite: u64,

@@ -4,7 +4,7 @@ use crate::geometry::raster_space::ScreenVertex;
 use crate::transpose::columns4;
 use crate::wide::{Simd, f32x16, i32x16, u32x4, u32x16};
 
-/// Where the shaded vertices of a run of triangles stand.
+/// Where the shaded vertices of a run of triangles stand. Corner 0 is the provoking vertex.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Corners<'a> {
     /// Corner k of triangle t is vertex `indices[t][k] - first_vertex`.

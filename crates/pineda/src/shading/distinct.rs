@@ -1,6 +1,8 @@
 //! Which triangles a packet shows, and in which way it is therefore interpolated.
 
-use super::packet::VaryingLayout;
+use super::cached::TriangleCache;
+use super::packet::{BATCH, VaryingLayout};
+use super::run::RunView;
 use crate::raster::triangle_id::{CLIPPED_CLOCKWISE, ORDER_BITS};
 use crate::wide::{Simd, i32x16, mask32x16, u32x16};
 
@@ -33,10 +35,12 @@ pub(crate) struct Distinct {
 pub(crate) enum Way {
     /// One triangle.
     One,
-    /// Triangles in turn, up to so many.
+    /// Up to so many, made ready in the [`TriangleCache`](super::cached::TriangleCache).
     Two,
     Four,
     Eight,
+    /// One that is too large for the cache.
+    Large,
     /// Lane by lane.
     ByLane,
     /// Triangles in turn, with all that a packet can ask for.
@@ -63,23 +67,18 @@ impl Distinct {
 
     #[inline(always)]
     fn plain_way<S: Simd>(&mut self, ids: u32x16<S>, fragments: &Fragments<'_>) -> Way {
-        let rest = self.take(ids, 0..1, fragments.mask);
-        if rest == 0 {
+        if self.take(ids, 0..1, fragments.mask) == 0 {
             return Way::One;
         }
         if has_five(&self.lanes) {
             return Way::ByLane;
         }
-        let rest = self.take(ids, 1..2, rest);
-        if rest == 0 {
-            return Way::Two;
+        let rest = self.take(ids, 1..4, fragments.mask & !self.masks[0]);
+        if rest != 0 {
+            return if self.take(ids, 4..8, rest) == 0 { Way::Eight } else { Way::ByLane };
         }
-        let rest = self.take(ids, 2..4, rest);
-        if rest == 0 {
-            return Way::Four;
-        }
-        let rest = self.take(ids, 4..8, rest);
-        if rest == 0 { Way::Eight } else { Way::ByLane }
+        // No branch: it would be guessed wrong half of the time.
+        [Way::Two, Way::Four][usize::from(self.masks[2] != 0)]
     }
 
     /// Takes so many triangles out of the lanes of `rest`, whether there are as many or not: a branch would cost more.
@@ -95,6 +94,35 @@ impl Distinct {
             t += 1;
         }
         rest
+    }
+
+    /// Has the cache make its triangles ready: four places or eight, whether they count or not.
+    #[inline(always)]
+    pub(crate) fn prepare(&self, run: &RunView<'_>, cache: &mut TriangleCache) {
+        let places = match self.way {
+            Way::One => 1,
+            Way::Two | Way::Four => 4,
+            Way::Eight => 8,
+            Way::Large | Way::ByLane | Way::InFull => 0,
+        };
+        let mut t = 0;
+        while t < places {
+            cache.prepare(run, self.ids[t & 15]);
+            t += 1;
+        }
+    }
+
+    /// The way, given what the cache holds: a triangle may have driven out another, or be too large.
+    #[inline(always)]
+    pub(crate) fn way_with(&self, cache: &TriangleCache) -> Way {
+        let four =
+            cache.holds(self.ids[0]) & cache.holds(self.ids[1]) & cache.holds(self.ids[2]) & cache.holds(self.ids[3]);
+        match self.way {
+            Way::One if !cache.holds(self.ids[0]) => Way::Large,
+            Way::Two | Way::Four if !four => Way::ByLane,
+            Way::Eight if !(four & self.ids[4..8].iter().all(|&id| cache.holds(id))) => Way::ByLane,
+            way => way,
+        }
     }
 
     /// How many there are.
@@ -114,4 +142,25 @@ fn has_five(ids: &[u32; 16]) -> bool {
     let [a, b, c, d, e] = [ids[0], ids[3], ids[12], ids[15], ids[5]];
     let corners = (a != b) & (a != c) & (a != d) & (b != c) & (b != d) & (c != d);
     corners & (e != a) & (e != b) & (e != c) & (e != d)
+}
+
+/// The packets of a batch, sorted by the way in which they are interpolated.
+#[derive(Default)]
+pub(crate) struct Ways {
+    packets: [[u8; BATCH]; 7],
+    counts: [usize; 7],
+}
+
+impl Ways {
+    #[inline(always)]
+    pub(crate) fn add(&mut self, way: Way, packet: usize) {
+        let count = &mut self.counts[way as usize];
+        self.packets[way as usize][*count & (BATCH - 1)] = packet as u8;
+        *count += 1;
+    }
+
+    #[inline(always)]
+    pub(crate) fn of(&self, way: Way) -> &[u8] {
+        &self.packets[way as usize][..self.counts[way as usize]]
+    }
 }

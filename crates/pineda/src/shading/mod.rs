@@ -126,7 +126,7 @@
 //!
 //! [`varyings!`](crate::varyings) declares a struct; a single number or vector needs none
 //! (`type Varyings<L: Lanes> = Vec2<L>`), and nothing at all is `()`. They are interpolated with perspective;
-//! `#[flat]` above a field takes the first vertex' value, `#[noperspective]` interpolates on the screen.
+//! `#[flat]` above a field takes the [provoking vertex](crate::ProvokingVertex)'s value, `#[noperspective]` interpolates on the screen.
 //! [`MAX_VARYINGS`] numbers are the limit.
 //!
 //! # Closures, the short way
@@ -203,9 +203,15 @@ mod shader;
 mod stage;
 mod varyings;
 
+mod barycentric;
 mod blend;
+mod by_lane;
+pub(crate) mod cached;
 pub(crate) mod distinct;
+mod few;
+mod in_full;
 pub(crate) mod interpolate;
+mod large;
 pub(crate) mod packet;
 pub(crate) mod run;
 pub(crate) mod shade;

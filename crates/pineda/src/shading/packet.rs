@@ -2,6 +2,7 @@
 //!
 //! Only the fragment stage is compiled for each shader; so what it works on lies in memory, a batch of packets at a time.
 
+use super::distinct::Fragments;
 use super::{Frag, FragParts, FragmentStage, Interpolation, Varyings};
 use crate::lanes::Packet;
 use crate::math::{Bool, Real};
@@ -55,6 +56,14 @@ pub(crate) struct PacketState {
     pub(crate) y: i32,
     /// The lanes whose colour counts; the fragment stage takes away those that it discards.
     pub(crate) alive: u32,
+}
+
+impl PacketState {
+    /// What is to be shaded.
+    #[inline(always)]
+    pub(crate) fn fragments(&self) -> Fragments<'_> {
+        Fragments { ids: &self.ids, mask: self.alive, x: self.x, y: self.y }
+    }
 }
 
 /// Up to [`BATCH`] packets of one run.

@@ -1,9 +1,11 @@
 //! From covered or visible samples to colours in the tile: interpolation, the user's fragment stage, blending.
 
 use super::blend::blend;
-use super::distinct::{Distinct, Fragments};
-use super::interpolate::{Last, interpolate};
-use super::packet::{BATCH, PacketBatch, PacketState, VaryingLayout};
+use super::cached::TriangleCache;
+use super::distinct::Distinct;
+use super::interpolate::interpolate;
+use super::large::Last;
+use super::packet::{BATCH, PacketBatch, PacketState};
 use super::run::RunView;
 use super::stencil::Tests;
 use crate::pass::draw_call::DrawCall;
@@ -11,7 +13,7 @@ use crate::pass::{ColorMask, DrawStatistics};
 use crate::raster::triangle_id::TriangleId;
 use crate::target::format::{Channels, ColorFormat, TileColor};
 use crate::tile::Tile;
-use crate::tile::view::{BlockLanes, TileView};
+use crate::tile::view::TileView;
 use crate::wide::{Simd, f32x16, i32x16, mask32x16, u32x16};
 use fearless_simd::Level;
 
@@ -46,6 +48,7 @@ pub(crate) struct Shading<'a> {
     pub(crate) tile: &'a mut Tile,
     pub(crate) color: &'a mut TileColor,
     pub(crate) batch: &'a mut PacketBatch,
+    pub(crate) cache: &'a mut TriangleCache,
     /// Where fragments and samples of ordered draws are counted, if they are.
     pub(crate) counted: Option<&'a mut DrawStatistics>,
 }
@@ -65,8 +68,9 @@ impl Shading<'_> {
 #[inline(always)]
 pub(crate) fn shade_visible<S: Simd>(s: S, shading: &mut Shading<'_>, packets: &[VisiblePacket]) {
     let layout = shading.call.layout();
-    let (lanes, mut last) = (BlockLanes::new(s), Last::none(s));
-    let mut distinct = [Distinct::NONE; BATCH];
+    let position = |vertex: usize| shading.call.position(vertex);
+    let (mut last, mut distinct) = (Last::none(s), [Distinct::NONE; BATCH]);
+    shading.cache.start(shading.run, layout.interpolation.len());
     let mut first = 0;
     while first < packets.len() {
         let end = (first + BATCH).min(packets.len());
@@ -80,7 +84,7 @@ pub(crate) fn shade_visible<S: Simd>(s: S, shading: &mut Shading<'_>, packets: &
             packet.depth = shading.tile.depth[block as usize];
             i += 1;
         }
-        fill(s, shading, &layout, &lanes, &mut distinct, &mut last);
+        interpolate(s, shading.run, &position, &layout, shading.batch, &mut distinct, &mut last, shading.cache);
         shading.call.run_fragments(shading.level, shading.batch);
         let mut i = 0;
         while i < shading.batch.len() {
@@ -97,8 +101,9 @@ pub(crate) fn shade_visible<S: Simd>(s: S, shading: &mut Shading<'_>, packets: &
 #[inline(always)]
 pub(crate) fn shade_in_order<S: Simd>(s: S, shading: &mut Shading<'_>, packets: &[OrderedPacket]) {
     let layout = shading.call.layout();
-    let (lanes, mut last) = (BlockLanes::new(s), Last::none(s));
-    let mut distinct = [Distinct::NONE; BATCH];
+    let position = |vertex: usize| shading.call.position(vertex);
+    let (mut last, mut distinct) = (Last::none(s), [Distinct::NONE; BATCH]);
+    shading.cache.start(shading.run, layout.interpolation.len());
     let call = shading.call;
     let (state, discards) = (call.state(), call.discards());
     let tests = Tests { state, front_is_clockwise: shading.run.front_is_clockwise };
@@ -139,7 +144,7 @@ pub(crate) fn shade_in_order<S: Simd>(s: S, shading: &mut Shading<'_>, packets: 
             }
             next += 1;
         }
-        fill(s, shading, &layout, &lanes, &mut distinct, &mut last);
+        interpolate(s, shading.run, &position, &layout, shading.batch, &mut distinct, &mut last, shading.cache);
         shading.call.run_fragments(shading.level, shading.batch);
         merge(s, shading);
         first = next;
@@ -155,37 +160,6 @@ fn contains(batch: &PacketBatch, block: u32) -> bool {
         k += 1;
     }
     found
-}
-
-/// Interpolates the packets of a batch.
-#[inline(always)]
-fn fill<S: Simd>(
-    s: S,
-    shading: &mut Shading<'_>,
-    layout: &VaryingLayout,
-    lanes: &BlockLanes<S>,
-    distinct: &mut [Distinct; BATCH],
-    last: &mut Last<S>,
-) {
-    let (call, run) = (shading.call, shading.run);
-    let position = |vertex: usize| call.position(vertex);
-    let mut k = 0;
-    while k < shading.batch.len() {
-        distinct[k & (BATCH - 1)].set(s, layout, &fragments(&shading.batch.packets()[k]));
-        k += 1;
-    }
-    let mut k = 0;
-    while k < shading.batch.len() {
-        let (packet, mut rows) = shading.batch.packet(k);
-        let distinct = &distinct[k & (BATCH - 1)];
-        interpolate(s, run, &position, layout, &fragments(packet), distinct, lanes, last, &mut rows);
-        k += 1;
-    }
-}
-
-#[inline(always)]
-fn fragments(packet: &PacketState) -> Fragments<'_> {
-    Fragments { ids: &packet.ids, mask: packet.alive, x: packet.x, y: packet.y }
 }
 
 /// Brings the colours of a batch of ordered packets into the tile.

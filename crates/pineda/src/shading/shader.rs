@@ -12,7 +12,8 @@ use crate::math::{Rgba, Vec4};
     note = "write `#[shader] impl Shader for {Self} {{ ... }}`, or draw with closures: `pass.draw_with(...)`"
 )]
 pub trait Shader: Sized + Sync {
-    /// What a vertex buffer is made of: any type, `[f32; 3]` included.
+    /// What a vertex buffer is made of: any type, `[f32; 3]` included. To be drawn in [instances](crate::Pass::draw_instanced), a shader takes
+    /// [`Instanced`](crate::Instanced) vertices.
     type Vertex: Sync;
 
     /// What the vertex stage hands to the fragment stage; see [`varyings!`](crate::varyings).

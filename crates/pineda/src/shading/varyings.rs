@@ -12,7 +12,7 @@ pub enum Interpolation {
     /// Linear on the triangle in space, as perspective shows it. The default.
     #[default]
     Perspective,
-    /// Not at all: the value of the triangle's first vertex, bit by bit. `#[flat]` on a field.
+    /// Not at all: the value of the triangle's [provoking vertex](crate::ProvokingVertex), bit by bit. `#[flat]` on a field.
     Flat,
     /// Linear on the screen, w disregarded. `#[noperspective]` on a field.
     NoPerspective,

@@ -44,7 +44,7 @@ pub(crate) struct Weights<S: Simd> {
 impl<S: Simd> Weights<S> {
     /// Those of a triangle on the raster, from its edge functions and their steps.
     #[inline(always)]
-    fn from_edges<const FULL: bool>(
+    pub(crate) fn from_edges<const FULL: bool>(
         edge: [f32x16<S>; 3],
         dx: [f32x16<S>; 3],
         dy: [f32x16<S>; 3],

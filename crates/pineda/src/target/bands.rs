@@ -12,6 +12,7 @@ pub(crate) struct Band<'a> {
     pub(crate) depth: DepthBuffer<'a>,
     pub(crate) stencil: Option<&'a mut [u8]>,
     pub(crate) triangle_ids: Option<&'a mut [u32]>,
+    pub(crate) instance_ids: Option<&'a mut [u32]>,
     pub(crate) draw_ids: Option<&'a mut [u32]>,
     pub(crate) barycentrics: Option<&'a mut [[f32; 3]]>,
     pub(crate) hits: Option<&'a mut [u32]>,
@@ -30,6 +31,7 @@ impl<'a> Bands<'a> {
         let mut depth = depth_chunks(&mut target.depth, rows);
         let mut stencil = chunks(&mut target.stencil, rows);
         let mut triangle_ids = chunks(&mut target.triangle_ids, rows);
+        let mut instance_ids = chunks(&mut target.instance_ids, rows);
         let mut draw_ids = chunks(&mut target.draw_ids, rows);
         let mut barycentrics = chunks(&mut target.barycentrics, rows);
         let mut hits = chunks(&mut target.hits, rows);
@@ -39,6 +41,7 @@ impl<'a> Bands<'a> {
                 depth: depth.next().unwrap_or_default(),
                 stencil: stencil.next(),
                 triangle_ids: triangle_ids.next(),
+                instance_ids: instance_ids.next(),
                 draw_ids: draw_ids.next(),
                 barycentrics: barycentrics.next(),
                 hits: hits.next(),
@@ -117,13 +120,17 @@ impl TileRows {
 
     /// Gives all pixels one value.
     pub(crate) fn fill<T: Copy>(&self, band: &mut [T], value: T) {
-        self.update(band, |_| value);
+        for row in self.rows_of(band) {
+            row.fill(value);
+        }
     }
 
     /// Replaces each pixel's value.
     pub(crate) fn update<T: Copy>(&self, band: &mut [T], new: impl Fn(T) -> T) {
-        for pixel in self.rows_of(band).flatten() {
-            *pixel = new(*pixel);
+        for row in self.rows_of(band) {
+            for pixel in row {
+                *pixel = new(*pixel);
+            }
         }
     }
 

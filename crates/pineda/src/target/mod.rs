@@ -12,7 +12,7 @@ use crate::Error;
 /// The largest width and height of a target, in pixels.
 pub const MAX_SIZE: u32 = 16_384;
 
-/// What [`Target::triangle_ids`] and [`Target::draw_ids`] hold where nothing was drawn.
+/// What [`Target::triangle_ids`], [`Target::instance_ids`] and [`Target::draw_ids`] hold where nothing was drawn.
 pub const NO_ID: u32 = u32::MAX;
 
 /// The buffers that a pass draws into. Each holds `width * height` elements, row by row from the top; those that are `None` are not written.
@@ -40,8 +40,10 @@ pub struct Target<'a> {
     pub depth: DepthBuffer<'a>,
     /// Stencil values.
     pub stencil: Option<&'a mut [u8]>,
-    /// The triangle that each pixel shows, counted from 0 within its draw; [`NO_ID`] where there is none.
+    /// The triangle that each pixel shows, counted from 0 within its draw, and anew in each instance; [`NO_ID`] where there is none.
     pub triangle_ids: Option<&'a mut [u32]>,
+    /// The instance of the draw that each pixel shows, counted from 0; 0 for draws without instances, [`NO_ID`] where there is nothing.
+    pub instance_ids: Option<&'a mut [u32]>,
     /// The draw that each pixel shows, counted from 0 within the pass; [`NO_ID`] where there is none.
     pub draw_ids: Option<&'a mut [u32]>,
     /// Perspective-correct barycentric coordinates of each pixel's centre in the triangle that it shows, in the order of
@@ -88,6 +90,7 @@ impl Target<'_> {
             depth: DepthBuffer::None,
             stencil: None,
             triangle_ids: None,
+            instance_ids: None,
             draw_ids: None,
             barycentrics: None,
             hits: None,
@@ -111,6 +114,7 @@ impl Target<'_> {
             ("depth", self.depth.length()),
             ("stencil", self.stencil.as_ref().map(|b| b.len())),
             ("triangle_ids", self.triangle_ids.as_ref().map(|b| b.len())),
+            ("instance_ids", self.instance_ids.as_ref().map(|b| b.len())),
             ("draw_ids", self.draw_ids.as_ref().map(|b| b.len())),
             ("barycentrics", self.barycentrics.as_ref().map(|b| b.len())),
             ("hits", self.hits.as_ref().map(|b| b.len())),

@@ -82,7 +82,7 @@ pub(crate) fn clear(painting: &Painting<'_>, view: &TileView, row: usize) {
         rows.fill(buffer, value);
     }
     if is_first {
-        for ids in [&mut band.triangle_ids, &mut band.draw_ids].into_iter().flatten() {
+        for ids in [&mut band.triangle_ids, &mut band.instance_ids, &mut band.draw_ids].into_iter().flatten() {
             rows.fill(ids, NO_ID);
         }
         if let Some(pixels) = band.barycentrics.as_deref_mut() {
@@ -133,12 +133,16 @@ pub(crate) fn store(painter: &mut Painter, painting: &Painting<'_>, view: &TileV
         rows.store(stencil, &painter.tile.stencil, block, |value| value as u8);
     }
     let (shown, is_first) = (&painter.tile.shown, painting.start.is_first);
+    let instance_and_triangle = |id| {
+        let number = TriangleId(id).number();
+        let run = &painting.batch.runs[painting.batch.run_of(number)];
+        run.instance_and_triangle(number - run.first_number)
+    };
     if let Some(ids) = band.triangle_ids.as_deref_mut() {
-        store_ids(&rows, ids, shown, view, is_first, |id| {
-            let number = TriangleId(id).number();
-            let run = &painting.batch.runs[painting.batch.run_of(number)];
-            (run.first_triangle + (number - run.first_number)) as u32
-        });
+        store_ids(&rows, ids, shown, view, is_first, |id| instance_and_triangle(id).1 as u32);
+    }
+    if let Some(ids) = band.instance_ids.as_deref_mut() {
+        store_ids(&rows, ids, shown, view, is_first, |id| instance_and_triangle(id).0 as u32);
     }
     if let Some(ids) = band.draw_ids.as_deref_mut() {
         store_ids(&rows, ids, shown, view, is_first, |id| {
@@ -238,5 +242,6 @@ fn coordinates<S: Simd>(
     };
     let [a, b, c] = weights.perspective;
     let sum = (a + b) + c;
-    ([one_nan(s, a / sum).into(), one_nan(s, b / sum).into(), one_nan(s, c / sum).into()], order)
+    let values = [one_nan(s, a / sum).into(), one_nan(s, b / sum).into(), one_nan(s, c / sum).into()];
+    (values, order.map(|corner| run.submitted(corner)))
 }

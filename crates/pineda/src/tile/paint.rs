@@ -11,6 +11,7 @@ use crate::pass::plan::{Batch, Segment, SegmentKind};
 use crate::raster::bins::{BinEntry, Share, TileGrid};
 use crate::raster::setup::PixelRect;
 use crate::raster::triangle_id::TriangleId;
+use crate::shading::cached::TriangleCache;
 use crate::shading::packet::PacketBatch;
 use crate::shading::run::RunView;
 use crate::shading::shade::{OrderedPacket, Shading, VisiblePacket, shade_in_order, shade_visible};
@@ -54,7 +55,7 @@ pub(crate) struct Wants {
     pub(crate) color: ColorFormat,
     pub(crate) depth: bool,
     pub(crate) stencil: bool,
-    /// Triangle ids, draw ids or barycentric coordinates.
+    /// Triangle, instance or draw ids, or barycentric coordinates.
     pub(crate) ids: bool,
     pub(crate) hits: bool,
 }
@@ -67,6 +68,7 @@ pub(crate) struct Painter {
     pub(crate) hits: Vec<[u32; 16]>,
     visible: Vec<VisiblePacket>,
     batch: PacketBatch,
+    cache: TriangleCache,
     ordered: Vec<OrderedPacket>,
     /// What was counted of each draw, if it is asked for.
     pub(crate) draws: Vec<DrawStatistics>,
@@ -83,6 +85,7 @@ impl Painter {
             hits: Vec::new(),
             visible: Vec::new(),
             batch: PacketBatch::new(),
+            cache: TriangleCache::new(),
             ordered: Vec::new(),
             draws: Vec::new(),
         }
@@ -90,6 +93,7 @@ impl Painter {
 
     /// Paints one tile after the other until none is left.
     pub(crate) fn paint_all(&mut self, painting: &Painting<'_>, queue: &TileQueue) {
+        self.cache.forget();
         let mut place = None;
         while let Some((column, row)) = queue.take(&mut place) {
             self.paint(painting, column, row);
@@ -228,6 +232,7 @@ impl Painter {
                 tile: &mut self.tile,
                 color: &mut self.color,
                 batch: &mut self.batch,
+                cache: &mut self.cache,
                 counted: None,
             };
             dispatch!(painting.level, s => shade_visible(s, &mut shading, packets));
@@ -290,6 +295,7 @@ impl Painter {
                     tile: &mut self.tile,
                     color: &mut self.color,
                     batch: &mut self.batch,
+                    cache: &mut self.cache,
                     counted: counted.as_mut(),
                 };
                 dispatch!(painting.level, s => shade_in_order(s, &mut shading, packets));

@@ -147,6 +147,26 @@ impl<S: Simd> u32x16<S> {
     }
 }
 
+impl<S: Simd> u32x16<S> {
+    /// Lane `lane`, as [`pick`](Self::pick) takes it: the places of its bytes.
+    #[inline(always)]
+    pub(crate) const fn place(lane: u32) -> u32 {
+        lane * 0x0404_0404 + 0x0302_0100
+    }
+
+    /// For each lane, that one of these lanes whose [`place`](Self::place) is given.
+    #[inline(always)]
+    pub(crate) fn pick(self, places: Self) -> Self {
+        by_level!(
+            {
+                let (a, places) = (self.lanes(), places.lanes());
+                Self::simd_from(self.token(), each_lane!(16, |places| a[(places as usize / 4) & 15]))
+            },
+            Self(self.0.swizzle_dyn(places.0.bitcast::<fearless_simd::u8x64<S>>()))
+        )
+    }
+}
+
 impl<S: Simd> i64x8<S> {
     /// The low words of its lanes and then of those of `high`.
     #[inline(always)]

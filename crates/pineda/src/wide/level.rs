@@ -6,31 +6,34 @@
 pub trait Simd: fearless_simd::Simd {
     /// Whether lanes are elements of plain arrays.
     const IS_PLAIN: bool;
+    /// Whether [`u32x16::pick`](super::u32x16::pick) is one instruction.
+    const CAN_PICK: bool;
 }
 
 macro_rules! levels {
-    ($($(#[$condition:meta])* $token:ty: $is_plain:literal;)+) => {$(
+    ($($(#[$condition:meta])* $token:ty: $is_plain:literal, $can_pick:literal;)+) => {$(
         $(#[$condition])*
         impl Simd for $token {
             const IS_PLAIN: bool = $is_plain;
+            const CAN_PICK: bool = $can_pick;
         }
     )+};
 }
 
 levels! {
-    fearless_simd::Fallback: true;
+    fearless_simd::Fallback: true, false;
     #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-    fearless_simd::x86::Sse2: false;
+    fearless_simd::x86::Sse2: false, false;
     #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-    fearless_simd::x86::Sse4_2: false;
+    fearless_simd::x86::Sse4_2: false, false;
     #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-    fearless_simd::x86::Avx2: false;
+    fearless_simd::x86::Avx2: false, false;
     #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-    fearless_simd::x86::Avx512: false;
+    fearless_simd::x86::Avx512: false, true;
     #[cfg(target_arch = "aarch64")]
-    fearless_simd::aarch64::Neon: false;
+    fearless_simd::aarch64::Neon: false, false;
     #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
-    fearless_simd::wasm32::WasmSimd128: false;
+    fearless_simd::wasm32::WasmSimd128: false, false;
 }
 
 /// `fearless_simd::dispatch!` for code that is generic over the [`Simd`] of this module: evaluates the expression, with the level's

@@ -6,10 +6,11 @@
 //! - `PINEDA_PICTURES=1 cargo test -p pineda --test golden` writes the pictures, as PPM, to `target/tmp/golden`.
 
 mod looks;
+mod primitives;
 mod scenes;
 mod shapes;
 
-use pineda::{ColorBuffer, DepthBuffer, Pass, Renderer, Settings, Simd, Target, TileSize};
+use pineda::{ColorBuffer, DepthBuffer, NO_ID, Pass, Renderer, Settings, Simd, Target, TileSize};
 use scenes::{Format, Scene};
 use std::fmt::Write as _;
 use std::path::Path;
@@ -59,6 +60,7 @@ struct Frame {
     /// Empty if no draw has a stencil test.
     stencil: Vec<u8>,
     triangle_ids: Vec<u32>,
+    instance_ids: Vec<u32>,
     draw_ids: Vec<u32>,
     barycentrics: Vec<[f32; 3]>,
     hits: Vec<u32>,
@@ -75,6 +77,7 @@ impl Frame {
             depth: vec![0.0; pixels],
             stencil: vec![0; if scene.has_stencil() { pixels } else { 0 }],
             triangle_ids: vec![0; pixels],
+            instance_ids: vec![0; pixels],
             draw_ids: vec![0; pixels],
             barycentrics: vec![[0.0; 3]; pixels],
             hits: vec![0; pixels],
@@ -97,6 +100,7 @@ impl Frame {
             },
             stencil: scene.has_stencil().then_some(&mut frame.stencil),
             triangle_ids: Some(&mut frame.triangle_ids),
+            instance_ids: Some(&mut frame.instance_ids),
             draw_ids: Some(&mut frame.draw_ids),
             barycentrics: Some(&mut frame.barycentrics),
             hits: Some(&mut frame.hits),
@@ -117,6 +121,10 @@ impl Frame {
         let mut all = self.bytes.as_flattened().to_vec();
         let mut words = |words: &[u32]| all.extend(words.iter().flat_map(|word| word.to_le_bytes()));
         words(&self.triangle_ids);
+        // Scenes without instances are older than these.
+        if self.instance_ids.iter().any(|&instance| instance != 0 && instance != NO_ID) {
+            words(&self.instance_ids);
+        }
         words(&self.draw_ids);
         words(&self.hits);
         let floats = [self.float.as_flattened(), &self.depth, self.barycentrics.as_flattened()];

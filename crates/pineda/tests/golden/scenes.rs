@@ -1,6 +1,7 @@
 //! The golden scenes.
 
 use crate::looks::{BlinnPhong, Gouraud, Holes, Stripes};
+use crate::primitives::{self, Facets, Row, Sprite, Sprites};
 use crate::shapes::{Shape, ground, knot, rectangle, slivers, soup};
 use pineda::*;
 
@@ -27,16 +28,18 @@ pub(crate) struct Scene {
 
 /// One draw.
 pub(crate) struct Layer {
-    shape: Shape,
-    look: Look,
-    state: DrawState,
+    pub(crate) shape: Shape,
+    pub(crate) look: Look,
+    pub(crate) state: DrawState,
 }
 
-enum Look {
+pub(crate) enum Look {
     Gouraud(Gouraud),
     BlinnPhong(BlinnPhong),
     Stripes(Stripes),
     Holes(Holes),
+    Facets(Row),
+    Sprites(Vec<Sprite>),
 }
 
 impl Scene {
@@ -54,6 +57,8 @@ impl Layer {
             Look::BlinnPhong(look) => pass.draw(look, mesh, self.state),
             Look::Stripes(look) => pass.draw(look, mesh, self.state),
             Look::Holes(look) => pass.draw(look, mesh, self.state),
+            Look::Facets(row) => pass.draw(&Facets, Mesh { indices: row.indices(), ..mesh }, self.state),
+            Look::Sprites(sprites) => pass.draw_instanced(&Sprites, mesh, sprites, self.state),
         };
     }
 }
@@ -61,7 +66,7 @@ impl Layer {
 const WIDTH: u32 = 317;
 const HEIGHT: u32 = 203;
 const SIZE: [f32; 2] = [WIDTH as f32, HEIGHT as f32];
-const RASTER: DrawState = DrawState { space: Space::Raster, ..DrawState::DEFAULT };
+pub(crate) const RASTER: DrawState = DrawState { space: Space::Raster, ..DrawState::DEFAULT };
 const IDENTITY: Mat4 = Mat4::IDENTITY;
 
 /// Every scene.
@@ -71,6 +76,9 @@ pub(crate) fn all() -> Vec<Scene> {
         scene("mid_triangles", vec![gouraud(soup(2, 300, 30.0, SIZE), RASTER)]),
         scene("large_triangles", vec![gouraud(soup(3, 40, 4_000.0, SIZE), RASTER)]),
         scene("slivers", vec![gouraud(slivers(4, 600, SIZE), RASTER)]),
+        scene("strips_and_fans", primitives::strips_and_fans()),
+        scene("restarts", primitives::restarts()),
+        scene("instances", primitives::instances()),
         Scene { format: Format::Srgb, ..scene("knot", vec![lit_knot(None)]) },
         Scene { format: Format::Srgb, ..scene("four_viewports", four_viewports()) },
         scene("tutorial_triangle", vec![tutorial_triangle()]),

@@ -10,20 +10,25 @@ fn renderer() -> Renderer {
 
 /// Draws one triangle or a part of one to a target of 8 x 8 and demands that an error leaves everything alone.
 fn error_of(indices: Indices<'_>, corners: &[[f32; 4]], viewport: Option<Viewport>) -> Error {
+    error_in(DrawState { viewport, ..DrawState::default() }, indices, corners)
+}
+
+fn error_in(state: DrawState, indices: Indices<'_>, corners: &[[f32; 4]]) -> Error {
     let mut pass = Pass::new();
-    let state = DrawState { space: Space::Raster, viewport, ..DrawState::default() };
+    let plain = DrawState { space: Space::Raster, ..DrawState::default() };
     // A valid draw first: even that one must not be drawn.
     for (vertices, indices, state) in
-        [(&CORNERS[..], Indices::Sequential, DrawState { viewport: None, ..state }), (corners, indices, state)]
+        [(&CORNERS[..], Indices::Sequential, plain), (corners, indices, DrawState { space: Space::Raster, ..state })]
     {
         pass.draw_with(Mesh { vertices, indices }, state, |&p| (Vec4::from(p), ()), |f| Rgba::gray(f.x()));
     }
     let (mut pixels, mut depth, mut ids) = ([[7u8; 4]; 64], [0.125; 64], [5; 64]);
-    let (mut draws, mut barycentrics, mut hits) = ([6; 64], [[0.5; 3]; 64], [8; 64]);
+    let (mut instances, mut draws, mut barycentrics, mut hits) = ([4; 64], [6; 64], [[0.5; 3]; 64], [8; 64]);
     let mut target = Target {
         color: ColorBuffer::Rgba8(&mut pixels),
         depth: DepthBuffer::D32F(&mut depth),
         triangle_ids: Some(&mut ids),
+        instance_ids: Some(&mut instances),
         draw_ids: Some(&mut draws),
         barycentrics: Some(&mut barycentrics),
         hits: Some(&mut hits),
@@ -32,6 +37,7 @@ fn error_of(indices: Indices<'_>, corners: &[[f32; 4]], viewport: Option<Viewpor
     let error = renderer().render(&pass, &mut target).expect_err("this is wrong");
     assert_eq!((pixels, depth, ids), ([[7; 4]; 64], [0.125; 64], [5; 64]), "{error}");
     assert_eq!((draws, barycentrics, hits), ([6; 64], [[0.5; 3]; 64], [8; 64]), "{error}");
+    assert_eq!(instances, [4; 64], "{error}");
     error
 }
 
@@ -52,7 +58,7 @@ fn target_sizes_are_1_to_16384() {
 #[test]
 fn buffers_hold_one_element_a_pixel() {
     let (mut bytes, mut floats) = ([[0; 4]; 7], [[0.0; 4]; 7]);
-    let (mut depth, mut ids, mut draws) = ([0.0; 7], [0; 7], [0; 7]);
+    let (mut depth, mut ids, mut instances, mut draws) = ([0.0; 7], [0; 7], [0; 7], [0; 7]);
     let (mut barycentrics, mut hits) = ([[0.0; 3]; 7], [0; 7]);
     let plain = || Target::new(4, 2);
     let targets = [
@@ -62,6 +68,7 @@ fn buffers_hold_one_element_a_pixel() {
         ("depth", Target { depth: DepthBuffer::D32F(&mut depth), ..plain() }),
         ("stencil", Target { stencil: Some(&mut [0; 7]), ..plain() }),
         ("triangle_ids", Target { triangle_ids: Some(&mut ids), ..plain() }),
+        ("instance_ids", Target { instance_ids: Some(&mut instances), ..plain() }),
         ("draw_ids", Target { draw_ids: Some(&mut draws), ..plain() }),
         ("barycentrics", Target { barycentrics: Some(&mut barycentrics), ..plain() }),
         ("hits", Target { hits: Some(&mut hits), ..plain() }),
@@ -98,6 +105,50 @@ fn indices_are_in_range() {
     many[(3 << 18) - 2] = 9;
     let error = error_of(Indices::U32(&many), &CORNERS, None);
     assert_eq!(error, Error::IndexOutOfRange { draw: 1, index: 9, position: (3 << 18) - 2, vertices: 3 });
+}
+
+#[test]
+fn indices_of_every_type_are_in_range() {
+    let topologies =
+        [PrimitiveTopology::TriangleList, PrimitiveTopology::TriangleStrip, PrimitiveTopology::TriangleFan];
+    for topology in topologies {
+        for primitive_restart in [false, true] {
+            if primitive_restart && topology == PrimitiveTopology::TriangleList {
+                continue;
+            }
+            let state = DrawState { topology, primitive_restart, ..DrawState::default() };
+            let wrong = |position, index| Error::IndexOutOfRange { draw: 1, index, position, vertices: 3 };
+            // The restart is an index like any other unless it is switched on.
+            let at = if primitive_restart { 4 } else { 2 };
+            let index = |restart| if primitive_restart { 3 } else { restart };
+            let error = error_in(state, Indices::U8(&[0, 1, 0xff, 1, 3, 4]), &CORNERS);
+            assert_eq!(error, wrong(at, index(0xff)));
+            let error = error_in(state, Indices::U16(&[0, 1, 0xffff, 1, 3, 4]), &CORNERS);
+            assert_eq!(error, wrong(at, index(0xffff)));
+            let error = error_in(state, Indices::U32(&[0, 1, u32::MAX, 1, 3, 4]), &CORNERS);
+            assert_eq!(error, wrong(at, index(u32::MAX)));
+            let error = error_in(state, Indices::U16(&[0, 1, 2, 0, 0xff, 2]), &CORNERS);
+            assert_eq!(error, wrong(4, 0xff));
+            assert_eq!(error.to_string(), "draw 1: index 255 at position 4 is out of range: there are 3 vertices");
+        }
+    }
+}
+
+#[test]
+fn lists_are_not_restarted() {
+    let state = DrawState { primitive_restart: true, ..DrawState::default() };
+    let error = error_in(state, Indices::U8(&[0, 1, 2]), &CORNERS);
+    assert_eq!(error, Error::RestartInList { draw: 1 });
+}
+
+#[test]
+fn instances_are_counted_in_32_bits() {
+    let mut pass = Pass::new();
+    let mesh = Mesh { vertices: &CORNERS, indices: Indices::Sequential };
+    let state = DrawState::default();
+    pass.draw_instanced_with(mesh, &COUNTLESS, state, |v| (Vec4::from(v.vertex), ()), |f| Rgba::gray(f.x()));
+    let error = renderer().render(&pass, &mut Target::new(8, 8));
+    assert_eq!(error, Err(Error::TooMany { draw: 0, count: 1 << 32, what: "instances" }));
 }
 
 /// Vertices without a size: as many as one likes, in no memory.

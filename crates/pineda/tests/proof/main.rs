@@ -6,6 +6,7 @@ mod errors;
 mod fragments;
 mod garbage;
 mod passes;
+mod primitives;
 mod scene;
 mod traps;
 mod viewports;

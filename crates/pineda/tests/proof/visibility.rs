@@ -180,3 +180,66 @@ fn an_edge_that_rounds_to_before_the_wall_is_seen() {
         check(renderers.nth(setting), std::slice::from_ref(&layer), 64, 64, &format!("setting {setting}"));
     }
 }
+
+/// Corners in pixels, with a number each that is interpolated.
+type Corners = [([f32; 2], f32); 3];
+
+/// Draws triangles side by side: a number and a triangle's number for each pixel.
+fn side_by_side(simd: Simd, triangles: &[Corners], width: u32, height: u32) -> (Vec<[f32; 4]>, Vec<u32>) {
+    let pixels = (width * height) as usize;
+    let (mut color, mut ids) = (vec![[0.0; 4]; pixels], vec![NO_ID; pixels]);
+    let mesh = Mesh { vertices: triangles.as_flattened(), indices: Indices::Sequential };
+    let mut pass = Pass::new();
+    pass.draw_with(
+        mesh,
+        DrawState { space: Space::Raster, ..DrawState::default() },
+        |&([x, y], value)| (Vec4::from([x, y, 0.5, 1.0 + value]), Vec3::from([value, 2.0 * value, 1.0 - value])),
+        |f| Rgba::opaque(f.varyings()),
+    );
+    let mut target =
+        Target { color: ColorBuffer::Rgba32F(&mut color), triangle_ids: Some(&mut ids), ..Target::new(width, height) };
+    Renderer::new(Settings { simd, ..Settings::default() })
+        .and_then(|mut r| r.render(&pass, &mut target))
+        .expect("valid");
+    (color, ids)
+}
+
+/// Interpolation keeps triangles in 512 places, by number: those that are 512 apart and show in one block drive each other out.
+#[test]
+fn triangles_that_share_a_place_in_the_cache_are_not_taken_for_each_other() {
+    let center = ([10.3, 9.7], 0.25);
+    let rim = [[8.1, 8.2], [11.9, 8.3], [11.8, 11.9], [8.2, 11.7]].map(|p| (p, p[0] * 0.1));
+    let fan = [0, 1, 2, 3].map(|k| [center, rim[k], rim[(k + 1) % 4]]);
+    let (expected, fan_ids) = side_by_side(Simd::Scalar, &fan, 20, 20);
+    let mut apart = vec![[center; 3]; 3 * 512 + 1];
+    for (k, triangle) in fan.into_iter().enumerate() {
+        apart[512 * k] = triangle;
+    }
+    for simd in [Simd::Scalar, Simd::Auto] {
+        let (color, ids) = side_by_side(simd, &apart, 20, 20);
+        assert_eq!(color, expected);
+        let numbers: Vec<u32> = fan_ids.iter().map(|&id| if id == NO_ID { id } else { 512 * id }).collect();
+        assert_eq!(ids, numbers);
+        assert!((0..4).all(|k| ids.contains(&(512 * k))));
+    }
+}
+
+/// Of large triangles, edge functions do not fit 32 bits where they cover; they meet small ones in many blocks.
+#[test]
+fn large_triangles_beside_small_ones_are_interpolated_as_when_alone() {
+    let (width, height) = (420, 300);
+    let large = [([1.25, 2.5], 0.5), ([417.0, 150.5], 0.75), ([3.5, 297.75], 1.0)];
+    let mut triangles = vec![large];
+    for k in 0..40u16 {
+        let y = 7.0 * f32::from(k);
+        triangles.push([large[1], ([419.0, y], 0.1), ([419.0, y + 7.0], 0.9)]);
+        triangles.push([([2.0 + y, 1.0], 0.2), ([9.0 + y, 1.5], 0.6), ([5.0 + y, 3.0 + 0.36 * y], 0.3)]);
+    }
+    let (color, ids) = side_by_side(Simd::Auto, &triangles, width, height);
+    for (number, &triangle) in triangles.iter().enumerate() {
+        let (alone, _) = side_by_side(Simd::Scalar, &[triangle], width, height);
+        for at in (0..ids.len()).filter(|&at| ids[at] == number as u32) {
+            assert_eq!(color[at], alone[at], "triangle {number}, pixel {at}");
+        }
+    }
+}

@@ -1,0 +1,128 @@
+//! Which vertices make which triangles, and what of them a `flat` varying shows: the words that a user says it with.
+
+/// Which vertices a draw's triangles are made of.
+#[derive(Clone, Copy, Debug, Default)]
+pub enum Indices<'a> {
+    /// All vertices, in their order.
+    #[default]
+    Sequential,
+    /// The vertices that these name.
+    U8(&'a [u8]),
+    /// The vertices that these name.
+    U16(&'a [u16]),
+    /// The vertices that these name. Triangles as `[u32; 3]` are given with `as_flattened()`.
+    U32(&'a [u32]),
+}
+
+/// How a row of vertices makes triangles, as in Vulkan.
+///
+/// With a row `v0, v1, v2, ...`, which is the vertices themselves or what the [`Indices`] name, triangle `i` has these vertices:
+///
+/// | | first | second | third | with [`ProvokingVertex::Last`] |
+/// | --- | --- | --- | --- | --- |
+/// | list | `v[3i]` | `v[3i + 1]` | `v[3i + 2]` | the same |
+/// | strip, `i` even | `v[i]` | `v[i + 1]` | `v[i + 2]` | the same |
+/// | strip, `i` odd | `v[i]` | `v[i + 2]` | `v[i + 1]` | `v[i + 1]`, `v[i]`, `v[i + 2]` |
+/// | fan | `v[i + 1]` | `v[i + 2]` | `v[0]` | `v[0]`, `v[i + 1]`, `v[i + 2]` |
+///
+/// The order decides which side is the front, which vertex [provokes](ProvokingVertex), and what the three
+/// [barycentric coordinates](crate::Target::barycentrics) belong to; it changes no other bit. So the same triangles are the same picture, whichever way
+/// they are given.
+///
+/// A strip or fan of fewer than three vertices is no triangle; a list must hold whole ones.
+///
+/// A strip, four corners for two triangles:
+///
+/// ```
+/// use pineda::*;
+/// let corners = [[8.0, 8.0], [8.0, 56.0], [56.0, 8.0], [56.0, 56.0]];
+/// let mut pass = Pass::new();
+/// pass.draw_with(
+///     Mesh { vertices: &corners, indices: Indices::Sequential },
+///     DrawState { topology: PrimitiveTopology::TriangleStrip, space: Space::Raster, ..DrawState::default() },
+///     |&[x, y]| (Vec4::from([x, y, 0.0, 1.0]), ()),
+///     |f| Rgba::gray(f.splat(1.0)),
+/// );
+/// let mut hits = vec![0; 64 * 64];
+/// let mut target = Target { hits: Some(&mut hits), ..Target::new(64, 64) };
+/// Renderer::new(Settings::default())?.render(&pass, &mut target)?;
+/// assert_eq!(hits.iter().sum::<u32>(), 48 * 48, "each pixel of the square once");
+/// # Ok::<(), Error>(())
+/// ```
+///
+/// A fan, a convex polygon around its first corner:
+///
+/// ```
+/// use pineda::*;
+/// let hexagon = [[60.0, 32.0], [46.0, 56.0], [18.0, 56.0], [4.0, 32.0], [18.0, 8.0], [46.0, 8.0]];
+/// let mut pass = Pass::new();
+/// pass.draw_with(
+///     Mesh { vertices: &hexagon, indices: Indices::Sequential },
+///     DrawState { topology: PrimitiveTopology::TriangleFan, space: Space::Raster, ..DrawState::default() },
+///     |&[x, y]| (Vec4::from([x, y, 0.0, 1.0]), ()),
+///     |f| Rgba::gray(f.splat(1.0)),
+/// );
+/// let mut ids = vec![0; 64 * 64];
+/// let mut target = Target { triangle_ids: Some(&mut ids), ..Target::new(64, 64) };
+/// Renderer::new(Settings::default())?.render(&pass, &mut target)?;
+/// // Six corners make four triangles; the last lies between the last two corners and the first.
+/// assert_eq!((ids[31 * 64 + 10], ids[10 * 64 + 40], ids[0]), (2, 3, NO_ID));
+/// # Ok::<(), Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum PrimitiveTopology {
+    /// Three vertices each.
+    #[default]
+    TriangleList,
+    /// Each vertex with the two before it. Every other triangle is taken the other way round, so that all of a strip show the same side.
+    TriangleStrip,
+    /// Each vertex with the one before it and the first.
+    TriangleFan,
+}
+
+/// Which vertex of a triangle a `#[flat]` varying has its value from.
+///
+/// ```
+/// use pineda::*;
+/// varyings! { struct Level { #[flat] level: Real } }
+///
+/// /// The level that the middle of the picture shows, of a triangle whose corners have these.
+/// fn shown(levels: [f32; 3], provoking_vertex: ProvokingVertex) -> Result<f32, Error> {
+///     let corners = [[0.0, 0.0, levels[0]], [64.0, 0.0, levels[1]], [32.0, 64.0, levels[2]]];
+///     let mut pass = Pass::new();
+///     pass.draw_with(
+///         Mesh { vertices: &corners, indices: Indices::Sequential },
+///         DrawState { provoking_vertex, space: Space::Raster, ..DrawState::default() },
+///         |&[x, y, level]| (Vec4::from([x, y, 0.0, 1.0]), Level { level: level.into() }),
+///         |f| Rgba::gray(f.level),
+///     );
+///     let mut pixels = vec![[0.0; 4]; 64 * 64];
+///     let mut target = Target { color: ColorBuffer::Rgba32F(&mut pixels), ..Target::new(64, 64) };
+///     Renderer::new(Settings::default())?.render(&pass, &mut target)?;
+///     Ok(pixels[32 * 64 + 32][0])
+/// }
+///
+/// assert_eq!(shown([0.25, 0.5, 0.75], ProvokingVertex::First)?, 0.25);
+/// assert_eq!(shown([0.25, 0.5, 0.75], ProvokingVertex::Last)?, 0.75);
+/// # Ok::<(), Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum ProvokingVertex {
+    /// The first, as in Vulkan, WebGPU and Direct3D: vertex `i` of a strip's triangle `i`, vertex `i + 1` of a fan's.
+    #[default]
+    First,
+    /// The last, as in OpenGL: vertex `i + 2` of a strip's or fan's triangle `i`.
+    Last,
+}
+
+/// What the vertex stage of an [instanced](crate::Pass::draw_instanced) draw takes: a vertex, and the instance that it is drawn for.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Instanced<V, I> {
+    /// The mesh's vertex.
+    pub vertex: V,
+    /// The instance's own data.
+    pub instance: I,
+    /// The instance's number, from 0: what [`Target::instance_ids`](crate::Target::instance_ids) shows.
+    pub instance_id: u32,
+}

@@ -1,0 +1,142 @@
+//! Packets of a few triangles, whose rows are in the cache.
+
+use super::barycentric::{Both, Corner3};
+use super::cached::{TRIANGLE_HEADER, TriangleCache};
+use super::distinct::{Distinct, Fragments};
+use super::packet::{BATCH, PacketBatch, PacketRows, VaryingLayout};
+use super::weights::Weights;
+use crate::tile::view::BlockLanes;
+use crate::wide::{Simd, i32x16, mask32x16, u32x4, u32x16};
+
+/// Packets of up to `N` triangles, all of them in the cache.
+#[inline(never)]
+pub(crate) fn few<S: Simd, const N: usize>(
+    s: S,
+    layout: &VaryingLayout,
+    batch: &mut PacketBatch,
+    distinct: &[Distinct; BATCH],
+    list: &[u8],
+    cache: &TriangleCache,
+) {
+    s.vectorize(
+        #[inline(always)]
+        || {
+            let lanes = BlockLanes::new(s);
+            let mut i = 0;
+            while i < list.len() {
+                let k = list[i] as usize;
+                let (packet, mut rows) = batch.packet(k);
+                from_cache::<S, N>(
+                    s,
+                    layout,
+                    &packet.fragments(),
+                    &distinct[k & (BATCH - 1)],
+                    &lanes,
+                    cache,
+                    &mut rows,
+                );
+                i += 1;
+            }
+        },
+    );
+}
+
+#[inline(always)]
+fn from_cache<S: Simd, const N: usize>(
+    s: S,
+    layout: &VaryingLayout,
+    fragments: &Fragments<'_>,
+    distinct: &Distinct,
+    lanes: &BlockLanes<S>,
+    cache: &TriangleCache,
+    rows: &mut PacketRows<'_>,
+) {
+    // Beyond the last any: a branch would cost more.
+    let mut triangles: [&[[u32; 4]]; N] = [&[]; N];
+    let mut t = 0;
+    while t < N {
+        triangles[t] = cache.rows(distinct.ids[t]);
+        t += 1;
+    }
+    let pick = Pick::<S, N>::new(s, distinct);
+    let x = lanes.column + fragments.x;
+    let y = lanes.row + fragments.y;
+    let one = pick.row(s, &triangles, 0).map(u32x16::bitcast::<i32x16<S>>);
+    let two = pick.row(s, &triangles, 1).map(u32x16::bitcast::<i32x16<S>>);
+    let e1 = (x * one[0] + y * one[1]) + one[2];
+    let e2 = (x * two[0] + y * two[1]) + two[2];
+    let e0 = one[3] - e1 - e2;
+    let [w0, w1, w2, _] = pick.row(s, &triangles, 2);
+    let edges = [e0.to_float(), e1.to_float(), e2.to_float()];
+    let weights = Weights::from_edges::<false>(edges, edges, edges, [w0.bitcast(), w1.bitcast(), w2.bitcast()]);
+    let both = Both::new::<false>(s, &weights, layout);
+    let mut k = 0;
+    while k < layout.interpolation.len() {
+        let [f0, d1, d2, _] = pick.row(s, &triangles, TRIANGLE_HEADER + k);
+        both.set::<false>(layout, rows, k, Corner3 { f0: f0.bitcast(), d1: d1.bitcast(), d2: d2.bitcast() });
+        k += 1;
+    }
+}
+
+/// Which of up to `N` triangles each lane shows.
+struct Pick<S: Simd, const N: usize> {
+    /// The lanes of each.
+    masks: [mask32x16<S>; N],
+    /// Where the words of each lane's triangle stand among the rows of its four, as [`u32x16::pick`] takes them.
+    places: [u32x16<S>; 4],
+    /// The lanes of the last four.
+    is_late: mask32x16<S>,
+}
+
+impl<S: Simd, const N: usize> Pick<S, N> {
+    #[inline(always)]
+    fn new(s: S, distinct: &Distinct) -> Self {
+        let mut masks = [mask32x16::from_bitmask(s, 0); N];
+        let mut place = u32x16::splat(s, u32x16::<S>::place(0));
+        let mut late = 0;
+        let mut t = 1;
+        while t < N {
+            masks[t] = mask32x16::from_bitmask(s, u64::from(distinct.masks[t]));
+            place = masks[t].select(u32x16::splat(s, u32x16::<S>::place(4 * (t as u32 % 4))), place);
+            late |= if t < 4 { 0 } else { distinct.masks[t] };
+            t += 1;
+        }
+        let step = u32x16::<S>::place(1) - u32x16::<S>::place(0);
+        let places = [place, place + step, place + 2 * step, place + 3 * step];
+        Self { masks, places, is_late: mask32x16::from_bitmask(s, u64::from(late)) }
+    }
+
+    /// Row `r` of each lane's triangle.
+    #[inline(always)]
+    fn row(&self, s: S, triangles: &[&[[u32; 4]]; N], r: usize) -> [u32x16<S>; 4] {
+        let mut row = [u32x16::splat(s, 0); 4];
+        let mut i = 0;
+        while i < 4 {
+            if S::CAN_PICK && N >= 4 {
+                row[i] = rows_of_four(s, triangles, r, 0).pick(self.places[i]);
+                if N > 4 {
+                    row[i] = self.is_late.select(rows_of_four(s, triangles, r, 4).pick(self.places[i]), row[i]);
+                }
+            } else {
+                row[i] = u32x16::splat(s, triangles[0][r][i]);
+                let mut t = 1;
+                while t < N {
+                    row[i] = self.masks[t].select(u32x16::splat(s, triangles[t][r][i]), row[i]);
+                    t += 1;
+                }
+            }
+            i += 1;
+        }
+        row
+    }
+}
+
+/// Row `r` of triangles `t` to `t + 3`.
+#[inline(always)]
+fn rows_of_four<S: Simd, const N: usize>(s: S, triangles: &[&[[u32; 4]]; N], r: usize, t: usize) -> u32x16<S> {
+    let a = u32x4::simd_from(s, triangles[t % N][r]);
+    let b = u32x4::simd_from(s, triangles[(t + 1) % N][r]);
+    let c = u32x4::simd_from(s, triangles[(t + 2) % N][r]);
+    let d = u32x4::simd_from(s, triangles[(t + 3) % N][r]);
+    a.combine(b).combine(c.combine(d))
+}

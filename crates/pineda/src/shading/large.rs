@@ -1,0 +1,82 @@
+//! Packets of one triangle that is too large for the cache: kept while one packet after the other shows it.
+
+use super::MAX_VARYINGS;
+use super::barycentric::{Both, Corner3};
+use super::distinct::{Distinct, Fragments};
+use super::packet::{BATCH, PacketBatch, PacketRows, VaryingLayout};
+use super::run::{RunView, record_rows};
+use super::weights::Prepared;
+use crate::raster::triangle_id::TriangleId;
+use crate::tile::view::BlockLanes;
+use crate::wide::{Simd, f32x16};
+
+/// The triangle that the last packet showed alone, if it did: its neighbour often shows it, too.
+pub(crate) struct Last<S: Simd> {
+    id: TriangleId,
+    prepared: Prepared<S>,
+    /// Each varying at the first vertex, and by how much the others exceed it.
+    corners: [[f32; 3]; MAX_VARYINGS],
+}
+
+impl<S: Simd> Last<S> {
+    #[inline(always)]
+    pub(crate) fn none(s: S) -> Self {
+        Self { id: TriangleId(0), prepared: Prepared::none(s), corners: [[0.0; 3]; MAX_VARYINGS] }
+    }
+}
+
+/// Interpolates the packets that the list names.
+#[inline(always)]
+pub(crate) fn large<S: Simd>(
+    s: S,
+    run: &RunView<'_>,
+    layout: &VaryingLayout,
+    batch: &mut PacketBatch,
+    distinct: &[Distinct; BATCH],
+    list: &[u8],
+    last: &mut Last<S>,
+) {
+    let lanes = BlockLanes::new(s);
+    let mut i = 0;
+    while i < list.len() {
+        let k = list[i] as usize;
+        let (packet, mut rows) = batch.packet(k);
+        one(s, run, layout, &packet.fragments(), TriangleId(distinct[k & (BATCH - 1)].ids[0]), &lanes, last, &mut rows);
+        i += 1;
+    }
+}
+
+#[inline(always)]
+#[expect(clippy::too_many_arguments, reason = "inlined")]
+fn one<S: Simd>(
+    s: S,
+    run: &RunView<'_>,
+    layout: &VaryingLayout,
+    fragments: &Fragments<'_>,
+    id: TriangleId,
+    lanes: &BlockLanes<S>,
+    last: &mut Last<S>,
+    rows: &mut PacketRows<'_>,
+) {
+    let varyings = layout.interpolation.len().min(MAX_VARYINGS);
+    if last.id != id {
+        let each = record_rows(varyings);
+        let [a, b, c] = run.canonical_places(id);
+        let places = [a, b, c, run.places(id)[0]];
+        last.id = id;
+        last.prepared = Prepared::new(s, run, each, &places, lanes);
+        let mut k = 0;
+        while k < varyings {
+            last.corners[k] = run.vertex_values(each, &places, k, false);
+            k += 1;
+        }
+    }
+    let both = Both::new::<false>(s, &last.prepared.weights(s, fragments.x, fragments.y), layout);
+    let mut k = 0;
+    while k < varyings {
+        let [f0, d1, d2] = last.corners[k];
+        let corner = Corner3 { f0: f32x16::splat(s, f0), d1: f32x16::splat(s, d1), d2: f32x16::splat(s, d2) };
+        both.set::<false>(layout, rows, k, corner);
+        k += 1;
+    }
+}
