@@ -102,8 +102,8 @@ pub use depth_pyramid::DepthPyramid;
 pub use error::Error;
 pub use pass::{
     Blend, BlendComponent, BlendFactor, BlendOperation, ColorMask, Compare, Cull, DepthBias, DepthState, DrawState,
-    FrontFace, Indices, Instanced, Mesh, Pass, PrimitiveTopology, ProvokingVertex, Renderer, Scissor, Space,
-    Statistics, StencilFace, StencilOperation, StencilState, Viewport,
+    DrawStatistics, FrontFace, Indices, Instanced, Mesh, Pass, PrimitiveTopology, ProvokingVertex, Renderer, Scissor,
+    Space, Statistics, StencilFace, StencilOperation, StencilState, Viewport,
 };
 pub use settings::{Settings, Simd, TileSize, UnknownSimd};
 pub use target::{ColorBuffer, DepthBuffer, MAX_SIZE, NO_ID, Target};

@@ -8,8 +8,8 @@ use super::large::Last;
 use super::packet::{BATCH, PacketBatch, PacketState};
 use super::run::RunView;
 use super::stencil::Tests;
-use crate::pass::ColorMask;
 use crate::pass::draw_call::DrawCall;
+use crate::pass::{ColorMask, DrawStatistics};
 use crate::raster::triangle_id::TriangleId;
 use crate::target::format::{Channels, ColorFormat, TileColor};
 use crate::tile::Tile;
@@ -49,6 +49,19 @@ pub(crate) struct Shading<'a> {
     pub(crate) color: &'a mut TileColor,
     pub(crate) batch: &'a mut PacketBatch,
     pub(crate) cache: &'a mut TriangleCache,
+    /// Where fragments and samples of ordered draws are counted, if they are.
+    pub(crate) counted: Option<&'a mut DrawStatistics>,
+}
+
+impl Shading<'_> {
+    /// Counts the lanes of a block.
+    #[inline(always)]
+    fn count(&mut self, block: usize, fragments: u32, samples: u32) {
+        if let Some(counted) = self.counted.as_deref_mut().filter(|_| !self.view.is_border(block)) {
+            counted.fragments_shaded += u64::from(fragments.count_ones());
+            counted.samples_passed += u64::from(samples.count_ones());
+        }
+    }
 }
 
 /// Shades what the visibility buffer shows: each sample once.
@@ -117,6 +130,7 @@ pub(crate) fn shade_in_order<S: Simd>(s: S, shading: &mut Shading<'_>, packets: 
                 mask = covered;
             }
             let mask = mask.to_bitmask() as u32;
+            shading.count(block, if is_shaded { mask } else { 0 }, if is_shaded { 0 } else { mask });
             if !is_shaded {
                 keep(s, shading.tile, state.depth.write, block, tested.both, &packet.depth, &[packet.id; 16]);
                 next += 1;
@@ -166,11 +180,13 @@ fn merge<S: Simd>(s: S, shading: &mut Shading<'_>) {
             alive = tested.both;
         }
         keep(s, shading.tile, state.depth.write, block, alive, &packet.depth, &packet.ids);
+        let passed = alive.to_bitmask() as u32;
         let mut color = channels(s, packet);
         if !replaces {
             color = blend(s, &state.blend, is_unorm, color, shading.color.load(s, block));
         }
         shading.color.store(s, block, alive, color, state.color_mask);
+        shading.count(block, 0, passed);
         i += 1;
     }
 }

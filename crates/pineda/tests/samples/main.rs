@@ -3,5 +3,6 @@
 mod blending;
 mod common;
 mod depth;
+mod queries;
 mod stencil;
 mod windows;
