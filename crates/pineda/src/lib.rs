@@ -114,5 +114,6 @@ pub use pineda_macros::{Varyings, shader};
 #[doc(hidden)]
 pub use shading::{__Layout, __inlined};
 pub use shading::{
-    ClosureFragment, ClosureKind, Frag, Fragment, FragmentKind, Interpolation, MAX_VARYINGS, Native, Shader, Varyings,
+    ClosureFragment, ClosureKind, Frag, Fragment, FragmentKind, Interpolation, MAX_CLIP_DISTANCES, MAX_VARYINGS,
+    Native, Shader, Varyings,
 };

@@ -1,4 +1,4 @@
-//! Clipping of the few triangles that cross the near plane, the far plane or the guard band.
+//! Clipping of the few triangles that cross the near plane, the far plane, the guard band or a plane of the shader's own.
 //!
 //! Sutherland and Hodgman's algorithm (1974) in homogeneous coordinates and f64. Two triangles that share an edge must clip it
 //! to bit-identical points, or a crack opens: a cut is always computed from the edge's inside end to its outside end, and planes
@@ -7,9 +7,19 @@
 
 use super::project::{Homogeneous, Projection, outcode};
 use super::raster_space::{GUARD_BAND, ScreenVertex};
+use crate::shading::MAX_CLIP_DISTANCES;
 
 /// A triangle gains at most one vertex a plane.
-const MAX_VERTICES: usize = 3 + 6;
+const MAX_VERTICES: usize = 3 + 6 + MAX_CLIP_DISTANCES;
+/// The triangles that become of one are set up together.
+const _: () = assert!(MAX_VERTICES - 2 <= 16);
+
+/// A triangle as its vertex stage gives it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct ClipTriangle {
+    pub(crate) positions: [[f32; 4]; 3],
+    pub(crate) distances: [[f32; MAX_CLIP_DISTANCES]; 3],
+}
 
 /// A clipped triangle, as triangles of one winding.
 #[derive(Debug)]
@@ -31,11 +41,14 @@ impl Clipped {
 #[derive(Clone, Copy)]
 struct Corner {
     at: Homogeneous,
+    /// From the shader's own planes.
+    distances: [f64; MAX_CLIP_DISTANCES],
     on_raster: Option<ScreenVertex>,
 }
 
-/// Clips a triangle with finite positions; `None` if nothing of it is left.
-pub(crate) fn clip(projection: &Projection, positions: [[f32; 4]; 3], screen: [ScreenVertex; 3]) -> Option<Clipped> {
+/// Clips a triangle with finite positions and distances; `None` if nothing of it is left.
+pub(crate) fn clip(projection: &Projection, triangle: &ClipTriangle, screen: [ScreenVertex; 3]) -> Option<Clipped> {
+    let ClipTriangle { positions, distances } = *triangle;
     // Seen edge-on it covers nothing. Its plane goes through the eye, and so may the edges of what clipping leaves of it: points that
     // rounding alone would give a place.
     if projection.is_edge_on(positions) {
@@ -43,6 +56,7 @@ pub(crate) fn clip(projection: &Projection, positions: [[f32; 4]; 3], screen: [S
     }
     let corner = |k: usize| Corner {
         at: projection.homogeneous(positions[k]),
+        distances: distances[k].map(f64::from),
         on_raster: Some(screen[k]).filter(|v| !v.is_off_raster()),
     };
     let mut corners = [corner(0), corner(1), corner(2)];
@@ -52,7 +66,8 @@ pub(crate) fn clip(projection: &Projection, positions: [[f32; 4]; 3], screen: [S
     let mut polygon = [corners[0]; MAX_VERTICES];
     polygon[..3].copy_from_slice(&corners);
     let mut count = 3;
-    for plane in [outcode::NEAR, outcode::FAR, outcode::LEFT, outcode::RIGHT, outcode::TOP, outcode::BOTTOM] {
+    let of_view = [outcode::NEAR, outcode::FAR, outcode::LEFT, outcode::RIGHT, outcode::TOP, outcode::BOTTOM];
+    for plane in of_view.into_iter().chain((0..MAX_CLIP_DISTANCES).map(|k| outcode::FIRST_OWN << k)) {
         if planes & plane != 0 {
             (polygon, count) = cut(&polygon[..count], plane);
         }
@@ -93,7 +108,8 @@ fn sort<T>(corners: &mut [T; 3], at: impl Fn(&T) -> Homogeneous) -> bool {
 }
 
 /// How far a point lies inside a plane; negative outside. Linear, so that it can be interpolated.
-fn distance(plane: u32, p: &Homogeneous) -> f64 {
+fn distance(plane: u32, corner: &Corner) -> f64 {
+    let p = &corner.at;
     let band = f64::from(GUARD_BAND) * p.w;
     match plane {
         outcode::NEAR => p.z,
@@ -101,7 +117,8 @@ fn distance(plane: u32, p: &Homogeneous) -> f64 {
         outcode::LEFT => band + p.x,
         outcode::RIGHT => band - p.x,
         outcode::TOP => band + p.y,
-        _ => band - p.y,
+        outcode::BOTTOM => band - p.y,
+        own => corner.distances[(own / outcode::FIRST_OWN).trailing_zeros() as usize % MAX_CLIP_DISTANCES],
     }
 }
 
@@ -120,30 +137,34 @@ fn cut(polygon: &[Corner], plane: u32) -> ([Corner; MAX_VERTICES], usize) {
     };
     for (k, a) in polygon.iter().enumerate() {
         let b = &polygon[(k + 1) % polygon.len()];
-        let (da, db) = (distance(plane, &a.at), distance(plane, &b.at));
+        let (da, db) = (distance(plane, a), distance(plane, b));
         if da >= 0.0 {
             push(*a);
         }
         if (da >= 0.0) != (db >= 0.0) {
             let (inside, outside, di, d_o) = if da >= 0.0 { (a, b, da, db) } else { (b, a, db, da) };
-            push(Corner { at: between(&inside.at, &outside.at, di, d_o), on_raster: None });
+            push(between(inside, outside, di, d_o));
         }
     }
     (out, count)
 }
 
-const ORIGIN: Corner = Corner { at: Homogeneous { x: 0.0, y: 0.0, z: 0.0, w: 0.0 }, on_raster: None };
+const ORIGIN: Corner = Corner {
+    at: Homogeneous { x: 0.0, y: 0.0, z: 0.0, w: 0.0 },
+    distances: [0.0; MAX_CLIP_DISTANCES],
+    on_raster: None,
+};
 
 /// The point of an edge on a plane, from the distances of its ends: a sum of both with positive weights, each of which is as precise
 /// as the distances are, however near the point is to either end.
-fn between(inside: &Homogeneous, outside: &Homogeneous, di: f64, d_o: f64) -> Homogeneous {
+fn between(inside: &Corner, outside: &Corner, di: f64, d_o: f64) -> Corner {
     let (wi, wo) = (-d_o / (di - d_o), di / (di - d_o));
     let mix = |a: f64, b: f64| a * wi + b * wo;
-    Homogeneous {
-        x: mix(inside.x, outside.x),
-        y: mix(inside.y, outside.y),
-        z: mix(inside.z, outside.z),
-        w: mix(inside.w, outside.w),
+    let (a, b) = (&inside.at, &outside.at);
+    Corner {
+        at: Homogeneous { x: mix(a.x, b.x), y: mix(a.y, b.y), z: mix(a.z, b.z), w: mix(a.w, b.w) },
+        distances: std::array::from_fn(|k| mix(inside.distances[k], outside.distances[k])),
+        on_raster: None,
     }
 }
 
@@ -202,15 +223,19 @@ mod tests {
         [out[0], out[1], out[2]]
     }
 
+    fn triangle(positions: [[f32; 4]; 3]) -> ClipTriangle {
+        ClipTriangle { positions, distances: [[0.0; MAX_CLIP_DISTANCES]; 3] }
+    }
+
     #[test]
     fn every_order_of_the_vertices_clips_to_the_same_triangles() {
         let projection = Projection::new(Space::Clip, &Viewport::whole(64, 48));
         let p = [[0.5, -0.25, 0.5, 1.0], [-3.0, 0.5, -2.0, -1.5], [0.25, 2.0, 3.0, 2.5]];
-        let reference = clip(&projection, p, screen(&projection, p)).expect("it crosses the picture");
+        let reference = clip(&projection, &triangle(p), screen(&projection, p)).expect("it crosses the picture");
         assert!(reference.triangles().len() > 1, "both the near and the far plane cut it");
         for (order, is_odd) in [([1, 2, 0], false), ([2, 0, 1], false), ([0, 2, 1], true), ([2, 1, 0], true)] {
             let q = order.map(|k| p[k]);
-            let clipped = clip(&projection, q, screen(&projection, q)).expect("the same triangle");
+            let clipped = clip(&projection, &triangle(q), screen(&projection, q)).expect("the same triangle");
             assert_eq!(clipped.triangles(), reference.triangles());
             assert_eq!(clipped.is_clockwise, reference.is_clockwise ^ is_odd);
         }
@@ -220,6 +245,6 @@ mod tests {
     fn a_triangle_wholly_behind_the_eye_leaves_nothing() {
         let projection = Projection::new(Space::Clip, &Viewport::whole(64, 48));
         let p = [[0.0, 0.0, -1.0, -1.0], [1.0, 0.0, -1.0, -2.0], [0.0, 1.0, -2.0, -1.0]];
-        assert!(clip(&projection, p, screen(&projection, p)).is_none());
+        assert!(clip(&projection, &triangle(p), screen(&projection, p)).is_none());
     }
 }

@@ -22,8 +22,10 @@ pub(crate) mod outcode {
     pub(crate) const RIGHT: u32 = 8;
     pub(crate) const TOP: u32 = 16;
     pub(crate) const BOTTOM: u32 = 32;
-    /// A coordinate is NaN or infinite.
+    /// A coordinate or a clip distance is NaN or infinite.
     pub(crate) const NON_FINITE: u32 = 64;
+    /// The first of the shader's own planes; the others follow.
+    pub(crate) const FIRST_OWN: u32 = 128;
 }
 
 /// A vertex whose 1 / w is larger than this or smaller than its reciprocal goes the careful way: times an edge function, of up to 2^49,
@@ -173,6 +175,24 @@ impl Projection {
             let k = off.trailing_zeros() as usize & 15;
             off &= off - 1;
             out[k] = self.off_raster(positions[k]);
+        }
+    }
+
+    /// Takes vertices off the raster that lie outside of the shader's own planes.
+    #[inline(always)]
+    pub(crate) fn clip(&self, position: [f32; 4], distances: &[f32], vertex: &mut ScreenVertex) {
+        let mut code = 0;
+        for (k, distance) in distances.iter().enumerate() {
+            if !distance.is_finite() {
+                code = outcode::NON_FINITE;
+                break;
+            }
+            code |= u32::from(*distance < 0.0) * (outcode::FIRST_OWN << k);
+        }
+        if code != 0 {
+            let other = self.outcode(position);
+            let code = if (code | other) & outcode::NON_FINITE != 0 { outcode::NON_FINITE } else { code | other };
+            *vertex = ScreenVertex([OFF_RASTER as u32, code, 0, 0]);
         }
     }
 

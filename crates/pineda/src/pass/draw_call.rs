@@ -8,7 +8,7 @@ use crate::lanes::Scalar;
 use crate::math::{Rgba, Vec4};
 use crate::shading::packet::{PacketBatch, VaryingLayout};
 use crate::shading::run::{RECORD_HEADER, Source, record_rows};
-use crate::shading::{Closure, ClosureFragment, FragmentKind, Native, Shader, Varyings, native};
+use crate::shading::{Closure, ClosureFragment, FragmentKind, MAX_CLIP_DISTANCES, Native, Shader, Varyings, native};
 use crate::wide::{Simd, dispatch};
 use fearless_simd::Level;
 use std::borrow::Borrow;
@@ -24,6 +24,8 @@ pub(crate) trait DrawCall: Sync {
     fn discards(&self) -> bool;
     /// The position of the vertex of that [number](Source).
     fn position(&self, vertex: usize) -> [f32; 4];
+    /// Its clip distances; 0 beyond the last.
+    fn clip_distances(&self, vertex: usize) -> [f32; MAX_CLIP_DISTANCES];
     /// Runs the vertex stage for the vertices at places `first_place` on, as many as there are screen vertices.
     fn run_vertices(&self, level: Level, job: VertexJob<'_>);
     /// Runs the fragment stage.
@@ -54,13 +56,26 @@ pub(crate) struct ShaderDraw<'a, Sh, G> {
 
 /// A vertex stage as a function.
 trait VertexStage<In, V> {
+    /// How many clip distances it gives.
+    const CLIP_DISTANCES: usize;
     fn run(&self, vertex: &In) -> (Vec4, V);
+    fn clip_distances(&self, vertex: &In) -> [f32; MAX_CLIP_DISTANCES];
 }
 
 impl<Sh: Shader> VertexStage<Sh::Vertex, Sh::Varyings<Scalar>> for Sh {
+    const CLIP_DISTANCES: usize = {
+        assert!(Sh::CLIP_DISTANCES <= MAX_CLIP_DISTANCES, "a vertex has at most eight clip distances");
+        Sh::CLIP_DISTANCES
+    };
+
     #[inline(always)]
     fn run(&self, vertex: &Sh::Vertex) -> (Vec4, Sh::Varyings<Scalar>) {
         self.vertex(vertex)
+    }
+
+    #[inline(always)]
+    fn clip_distances(&self, vertex: &Sh::Vertex) -> [f32; MAX_CLIP_DISTANCES] {
+        Shader::clip_distances(self, vertex)
     }
 }
 
@@ -94,6 +109,12 @@ impl<Sh: Shader, G: Input<In = Sh::Vertex>> DrawCall for ShaderDraw<'_, Sh, G> {
         array(self.shader.vertex(self.input.fetch_number(vertex).borrow()).0)
     }
 
+    fn clip_distances(&self, vertex: usize) -> [f32; MAX_CLIP_DISTANCES] {
+        let mut distances = self.shader.clip_distances(self.input.fetch_number(vertex).borrow());
+        distances[Sh::CLIP_DISTANCES..].fill(0.0);
+        distances
+    }
+
     fn run_vertices(&self, level: Level, job: VertexJob<'_>) {
         dispatch!(level, s => run_vertices(s, self.shader, &self.input, job));
     }
@@ -116,9 +137,16 @@ pub(crate) struct ClosureDraw<'a, G, T: Varyings<Scalar>, V, F> {
 struct VertexClosure<'a, V>(&'a V);
 
 impl<In, T, V: Fn(&In) -> (Vec4, T)> VertexStage<In, T> for VertexClosure<'_, V> {
+    const CLIP_DISTANCES: usize = 0;
+
     #[inline(always)]
     fn run(&self, vertex: &In) -> (Vec4, T) {
         (self.0)(vertex)
+    }
+
+    #[inline(always)]
+    fn clip_distances(&self, _: &In) -> [f32; MAX_CLIP_DISTANCES] {
+        [0.0; MAX_CLIP_DISTANCES]
     }
 }
 
@@ -157,8 +185,12 @@ where
         array((self.vertex)(self.input.fetch_number(vertex).borrow()).0)
     }
 
+    fn clip_distances(&self, _: usize) -> [f32; MAX_CLIP_DISTANCES] {
+        [0.0; MAX_CLIP_DISTANCES]
+    }
+
     fn run_vertices(&self, level: Level, job: VertexJob<'_>) {
-        dispatch!(level, s => run_vertices::<_, G, T>(s, &VertexClosure(&self.vertex), &self.input, job));
+        dispatch!(level, s => run_vertices::<_, G, T, _>(s, &VertexClosure(&self.vertex), &self.input, job));
     }
 
     fn run_fragments(&self, _: Level, batch: &mut PacketBatch) {
@@ -173,9 +205,9 @@ fn array(v: Vec4) -> [f32; 4] {
 
 /// Sixteen vertices at a time: the user's stage one by one, the projection in the lanes.
 #[inline(always)]
-fn run_vertices<S: Simd, G: Input, V: Varyings<Scalar>>(
+fn run_vertices<S: Simd, G: Input, V: Varyings<Scalar>, St: VertexStage<G::In, V>>(
     s: S,
-    stage: &impl VertexStage<G::In, V>,
+    stage: &St,
     input: &G,
     job: VertexJob<'_>,
 ) {
@@ -189,10 +221,15 @@ fn run_vertices<S: Simd, G: Input, V: Varyings<Scalar>>(
     while at < screen.len() {
         let count = (screen.len() - at).min(16);
         let mut positions = [[0.0, 0.0, 0.0, 1.0]; 16];
+        let mut distances = [[0.0; MAX_CLIP_DISTANCES]; 16];
         let mut k = 0;
         while k < count {
-            let (position, varyings) = stage.run(walk.next(input).borrow());
+            let vertex = walk.next(input);
+            let (position, varyings) = stage.run(vertex.borrow());
             positions[k] = array(position);
+            if St::CLIP_DISTANCES > 0 {
+                distances[k] = stage.clip_distances(vertex.borrow());
+            }
             let record = records[(at + k) * rows..(at + k + 1) * rows].as_flattened_mut();
             varyings.write(bytemuck::cast_slice_mut(&mut record[RECORD_HEADER..]));
             k += 1;
@@ -201,6 +238,9 @@ fn run_vertices<S: Simd, G: Input, V: Varyings<Scalar>>(
         projection.project(s, &positions, &mut projected);
         let mut k = 0;
         while k < count {
+            if St::CLIP_DISTANCES > 0 {
+                projection.clip(positions[k], &distances[k][..St::CLIP_DISTANCES], &mut projected[k]);
+            }
             let vertex = projected[k];
             screen[at + k] = vertex;
             let record = &mut records[(at + k) * rows];

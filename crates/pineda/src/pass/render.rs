@@ -5,6 +5,7 @@ use super::draw_call::VertexJob;
 use super::plan::{Batch, Geometry, Plan, Run, plan};
 use super::validate::{DrawExtent, validate};
 use super::{Cull, DrawStatistics, FrontFace, Pass, Statistics};
+use crate::geometry::clip::ClipTriangle;
 use crate::geometry::raster_space::ScreenVertex;
 use crate::raster::bins::{Share, TileGrid};
 use crate::raster::depth_bias::Bias;
@@ -247,7 +248,10 @@ impl Renderer {
                 }
                 let call = &pass.draws[run.draw];
                 let (corners, source) = (run.corners(assembled), run.source(assembled));
-                let positions = |places: [usize; 3]| places.map(|place| call.position(source.vertex(place)));
+                let vertices = |places: [usize; 3]| ClipTriangle {
+                    positions: places.map(|place| call.position(source.vertex(place))),
+                    distances: places.map(|place| call.clip_distances(source.vertex(place))),
+                };
                 let (cull_clockwise, cull_counter_clockwise) = culled(call.state().cull, call.state().front_face);
                 let bias = Bias::new(&call.state().depth_bias, format);
                 let state = SetupState {
@@ -258,7 +262,7 @@ impl Renderer {
                     bias,
                     counts,
                     projection: &run.projection,
-                    positions: &positions,
+                    vertices: &vertices,
                 };
                 share.start_segment(run.segment);
                 let (range, screen) = (start..end - run.first_number, &screen[run.screen.clone()]);

@@ -16,7 +16,7 @@ use super::depth_bias::Bias;
 use super::record::{LargeTriangle, MID_EXTENT, MidTriangle, SMALL_EXTENT, SampleBox, SmallTriangle};
 use super::top_left::is_top_left;
 use super::triangle_id::{CLIPPED_CLOCKWISE, CLIPPED_COUNTER_CLOCKWISE, ORDER_BITS, TriangleId};
-use crate::geometry::clip::{Clipped, clip};
+use crate::geometry::clip::{ClipTriangle, Clipped, clip};
 use crate::geometry::project::{Projection, outcode};
 use crate::geometry::raster_space::{HALF_PIXEL, OFF_RASTER, SUBPIXEL_BITS, SUBPIXELS, ScreenVertex};
 use crate::transpose::{transpose8, transpose16};
@@ -43,8 +43,8 @@ pub(crate) struct SetupState<'a> {
     /// Whether degenerate and culled triangles are counted.
     pub(crate) counts: bool,
     pub(crate) projection: &'a Projection,
-    /// Runs a draw's vertex stage again, for a triangle that needs clipping: the positions of vertices by their places.
-    pub(crate) positions: &'a (dyn Fn([usize; 3]) -> [[f32; 4]; 3] + Sync),
+    /// Runs a draw's vertex stage again, for a triangle that needs clipping: its vertices by their places.
+    pub(crate) vertices: &'a (dyn Fn([usize; 3]) -> ClipTriangle + Sync),
 }
 
 /// Sets up triangles `range` of a run; `first_number` is the number of the run's triangle 0 in the batch.
@@ -118,8 +118,8 @@ fn careful<S: Simd>(
         return;
     }
     share.statistics.clipped += 1;
-    let positions = (state.positions)(places);
-    let Some(clipped) = clip(state.projection, positions, vertices) else {
+    let triangle = (state.vertices)(places);
+    let Some(clipped) = clip(state.projection, &triangle, vertices) else {
         share.degenerate += u64::from(state.counts);
         return;
     };
@@ -129,7 +129,7 @@ fn careful<S: Simd>(
     }
     let offset = state.bias.map_or(0.0, |bias| {
         let depths: Vec<f32> = clipped.triangles().as_flattened().iter().map(|v| v.z()).collect();
-        bias.offset_of_clipped(state.projection, positions, &depths)
+        bias.offset_of_clipped(state.projection, triangle.positions, &depths)
     });
     s.vectorize(
         #[inline(always)]

@@ -227,6 +227,9 @@ pub use stage::{ClosureFragment, ClosureKind, Native};
 pub use varyings::Layout as __Layout;
 pub use varyings::{Interpolation, MAX_VARYINGS, Varyings};
 
+/// The most [clip distances](Shader::clip_distances) of a vertex.
+pub const MAX_CLIP_DISTANCES: usize = 8;
+
 /// Where `#[shader]` puts a closure that is bound with `let`: only an argument of a call may carry an attribute.
 #[doc(hidden)]
 #[inline(always)]

@@ -27,9 +27,57 @@ pub trait Shader: Sized + Sync {
     /// visible pixel, however many layers lie below; one that may discard is run for each layer in turn.
     const DISCARDS: bool = false;
 
+    /// How many [clip distances](Self::clip_distances) the vertex stage gives, at most [`MAX_CLIP_DISTANCES`](super::MAX_CLIP_DISTANCES).
+    const CLIP_DISTANCES: usize = 0;
+
     /// One vertex: its position in the draw's [`Space`](crate::Space), and its varyings. It must be a pure function of
     /// the vertex and the uniforms, for it may run more than once.
     fn vertex(&self, vertex: &Self::Vertex) -> (Vec4, Self::Varyings<Scalar>);
+
+    /// How far a vertex lies inside of up to eight planes of the shader's own: what is at a negative distance from any of the first
+    /// [`CLIP_DISTANCES`](Self::CLIP_DISTANCES) is cut off. Distances are linear over the triangle before the perspective division, as positions are.
+    /// A triangle with a NaN or infinite one among them is dropped and counted, as with a position.
+    ///
+    /// ```
+    /// use pineda::*;
+    ///
+    /// /// Draws what lies above a height.
+    /// struct Above { height: f32 }
+    ///
+    /// #[shader]
+    /// impl Shader for Above {
+    ///     type Vertex = [f32; 2];
+    ///     type Varyings<L: Lanes> = ();
+    ///     const CLIP_DISTANCES: usize = 1;
+    ///
+    ///     fn vertex(&self, &[x, y]: &[f32; 2]) -> (Vec4, ()) {
+    ///         (Vec4::from([x, y, 0.5, 1.0]), ())
+    ///     }
+    ///
+    ///     fn clip_distances(&self, &[_, y]: &[f32; 2]) -> [f32; MAX_CLIP_DISTANCES] {
+    ///         let mut distances = [0.0; MAX_CLIP_DISTANCES];
+    ///         distances[0] = y - self.height;
+    ///         distances
+    ///     }
+    ///
+    ///     fn fragment<L: Lanes>(&self, f: &mut Fragment<L, Self>) -> Rgba<L> {
+    ///         Rgba::gray(f.splat(1.0))
+    ///     }
+    /// }
+    ///
+    /// let whole_picture = [[-1.0, -1.0], [3.0, -1.0], [-1.0, 3.0]];
+    /// let above = Above { height: 0.25 };
+    /// let mut pass = Pass::new();
+    /// pass.draw(&above, Mesh { vertices: &whole_picture, indices: Indices::Sequential }, DrawState::default());
+    /// let mut hits = vec![0; 16 * 16];
+    /// let mut target = Target { hits: Some(&mut hits), ..Target::new(16, 16) };
+    /// Renderer::new(Settings::default())?.render(&pass, &mut target)?;
+    /// assert_eq!(hits.iter().sum::<u32>(), 6 * 16, "the upper six rows");
+    /// # Ok::<(), Error>(())
+    /// ```
+    fn clip_distances(&self, _vertex: &Self::Vertex) -> [f32; super::MAX_CLIP_DISTANCES] {
+        [0.0; super::MAX_CLIP_DISTANCES]
+    }
 
     /// The fragments of one packet: their colours. Some of the lanes may lie outside the triangle; their results are
     /// thrown away.

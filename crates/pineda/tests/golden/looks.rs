@@ -112,3 +112,35 @@ impl Shader for Holes {
         f.varyings()
     }
 }
+
+/// What lies in a prism, whose sides are eight clip distances; the inside of what is cut open is dull.
+pub(crate) struct CutOpen {
+    pub(crate) camera: Mat4,
+    pub(crate) radius: f32,
+}
+
+#[shader]
+impl Shader for CutOpen {
+    type Vertex = Vertex;
+    type Varyings<L: Lanes> = Lit<L>;
+    const CLIP_DISTANCES: usize = 8;
+
+    fn vertex(&self, v: &Vertex) -> (Vec4, Lit) {
+        let [x, y, z, w] = v.position;
+        let [r, g, b, _] = v.color;
+        let lit = Lit { world: [x, y, z].into(), normal: v.normal.into(), color: [r, g, b].into() };
+        (self.camera * Vec4::from([x, y, z, w]), lit)
+    }
+
+    fn clip_distances(&self, v: &Vertex) -> [f32; MAX_CLIP_DISTANCES] {
+        let [x, y, z, _] = v.position;
+        let (d, s) = (self.radius, 0.707);
+        [d - x, d + x, d - y, d + y, d - s * (x + y), d - s * (x - y), 1.1 * d + s * (x - y), 0.4 + s * (z + y)]
+    }
+
+    fn fragment<L: Lanes>(&self, f: &mut Fragment<L, Self>) -> Rgba<L> {
+        let diffuse = f.normal.normalize().dot([0.36, 0.48, 0.8]).max(0.0);
+        let outside = f.color * (0.15 + 0.85 * diffuse);
+        Rgba::opaque(f.front_facing().select(outside, f.splat([0.10, 0.11, 0.13])))
+    }
+}

@@ -1,6 +1,6 @@
 //! The golden scenes.
 
-use crate::looks::{BlinnPhong, Gouraud, Holes, Stripes};
+use crate::looks::{BlinnPhong, CutOpen, Gouraud, Holes, Stripes};
 use crate::primitives::{self, Facets, Row, Sprite, Sprites};
 use crate::shapes::{Shape, ground, knot, rectangle, slivers, soup};
 use pineda::*;
@@ -40,6 +40,7 @@ pub(crate) enum Look {
     Holes(Holes),
     Facets(Row),
     Sprites(Vec<Sprite>),
+    CutOpen(CutOpen),
 }
 
 impl Scene {
@@ -58,6 +59,7 @@ impl Layer {
             Look::Stripes(look) => pass.draw(look, mesh, self.state),
             Look::Holes(look) => pass.draw(look, mesh, self.state),
             Look::Facets(row) => pass.draw(&Facets, Mesh { indices: row.indices(), ..mesh }, self.state),
+            Look::CutOpen(look) => pass.draw(look, mesh, self.state),
             Look::Sprites(sprites) => pass.draw_instanced(&Sprites, mesh, sprites, self.state),
         };
     }
@@ -81,6 +83,7 @@ pub(crate) fn all() -> Vec<Scene> {
         scene("instances", primitives::instances()),
         Scene { format: Format::Srgb, ..scene("knot", vec![lit_knot(None)]) },
         Scene { format: Format::Srgb, ..scene("four_viewports", four_viewports()) },
+        Scene { format: Format::Srgb, ..scene("clip_distances", vec![cut_open()]) },
         scene("tutorial_triangle", vec![tutorial_triangle()]),
         Scene {
             format: Format::Srgb,
@@ -132,6 +135,13 @@ fn lit_knot(viewport: Option<Viewport>) -> Layer {
     let look = BlinnPhong { camera: camera(eye, [0.0; 3]), eye, light: [0.36, 0.48, 0.8] };
     let state = DrawState { cull: Cull::Back, front_face: FrontFace::Clockwise, viewport, ..DrawState::default() };
     Layer { shape: knot(160, 24), look: Look::BlinnPhong(look), state }
+}
+
+/// A knot cut by eight planes: one sees what is inside.
+fn cut_open() -> Layer {
+    let look = CutOpen { camera: camera([2.0, 3.0, 8.5], [0.0; 3]), radius: 1.9 };
+    let state = DrawState { front_face: FrontFace::Clockwise, ..DrawState::default() };
+    Layer { shape: knot(160, 24), look: Look::CutOpen(look), state }
 }
 
 /// None of them begins or ends on a block of 4 x 4 pixels, two overlap, one hangs over the border.
