@@ -125,9 +125,9 @@ impl DepthRule {
         Self { compare, low: a.min(b), high: a.max(b) }
     }
 
-    /// Whether it is the usual one: [`Compare::Less`] over all depths.
-    pub(crate) fn is_usual(&self) -> bool {
-        *self == Self { compare: Compare::Less, low: 0, high: 1.0f32.to_bits() as i32 }
+    /// Whether depths are clamped to no less than 0 to 1.
+    pub(crate) fn is_whole_range(&self) -> bool {
+        self.low == 0 && self.high == 1.0f32.to_bits() as i32
     }
 }
 

@@ -2,12 +2,12 @@
 
 use super::coverage::cover;
 use super::queue::TileQueue;
-use super::sink::{AnyTest, DepthTest, HitCounter, Less, Sink, Visibility};
+use super::sink::{AnyTest, DepthTest, HitCounter, Sink, Usual, Visibility};
 use super::view::TileView;
 use super::{Tile, outputs};
-use crate::pass::DrawStatistics;
 use crate::pass::draw_call::DrawCall;
 use crate::pass::plan::{Batch, Segment, SegmentKind};
+use crate::pass::{Compare, DrawStatistics};
 use crate::raster::bins::{BinEntry, Share, TileGrid};
 use crate::raster::setup::PixelRect;
 use crate::raster::triangle_id::TriangleId;
@@ -198,11 +198,14 @@ impl Painter {
         let (tile, rect) = (&mut self.tile, segment.rect.as_ref());
         let test = AnyTest { rule: segment.depth, format: painting.depth_format };
         let counted_in = segment.draw.map(|_| *view);
-        let is_usual = segment.depth.is_usual() && painting.depth_format.is_float() && counted_in.is_none();
+        let is_usual = segment.depth.is_whole_range() && painting.depth_format.is_float() && counted_in.is_none();
+        let compare = Some(segment.depth.compare).filter(|_| is_usual);
         let area = Area { share, entries, view, rect };
-        let passed = dispatch!(painting.level, s => match (is_usual, wants_ids) {
-            (true, true) => visibility::<_, _, true>(s, &area, tile, Less, None),
-            (true, false) => visibility::<_, _, false>(s, &area, tile, Less, None),
+        let passed = dispatch!(painting.level, s => match (compare, wants_ids) {
+            (Some(Compare::Less), true) => visibility::<_, _, true>(s, &area, tile, Usual::<false>, None),
+            (Some(Compare::Less), false) => visibility::<_, _, false>(s, &area, tile, Usual::<false>, None),
+            (Some(Compare::Greater), true) => visibility::<_, _, true>(s, &area, tile, Usual::<true>, None),
+            (Some(Compare::Greater), false) => visibility::<_, _, false>(s, &area, tile, Usual::<true>, None),
             _ => visibility::<_, _, true>(s, &area, tile, test, counted_in),
         });
         if let Some(draw) = segment.draw {

@@ -64,11 +64,11 @@ pub(crate) trait DepthTest<S: Simd>: Copy {
     fn outcomes(&self) -> [bool; 3];
 }
 
-/// [`Compare::Less`] of f32s, over the whole range.
+/// [`Compare::Less`], or [`Compare::Greater`], of f32s over the whole range.
 #[derive(Clone, Copy)]
-pub(crate) struct Less;
+pub(crate) struct Usual<const GREATER: bool>;
 
-impl<S: Simd> DepthTest<S> for Less {
+impl<S: Simd, const GREATER: bool> DepthTest<S> for Usual<GREATER> {
     const COUNTS: bool = false;
 
     #[inline(always)]
@@ -78,7 +78,7 @@ impl<S: Simd> DepthTest<S> for Less {
 
     #[inline(always)]
     fn passes(&self, _: S, z: i32x16<S>, there: i32x16<S>) -> mask32x16<S> {
-        z.simd_lt(there)
+        if GREATER { z.simd_gt(there) } else { z.simd_lt(there) }
     }
 
     #[inline(always)]
@@ -89,7 +89,7 @@ impl<S: Simd> DepthTest<S> for Less {
 
     #[inline(always)]
     fn outcomes(&self) -> [bool; 3] {
-        [true, false, false]
+        [!GREATER, false, GREATER]
     }
 }
 
