@@ -18,6 +18,33 @@ pub(crate) struct Arguments {
 pub(crate) enum Command {
     /// Draw one scene with one renderer in this process: what the comparison starts for every measurement, and a thing to profile
     Draw(Draw),
+    /// Draw thousands of cases with pineda and with lavapipe and compare them pixel for pixel; docs/conformance.md says what and how
+    #[cfg(all(feature = "pineda", feature = "vulkan"))]
+    Conformance(Conformance),
+}
+
+/// `cargo xtask conformance`.
+#[cfg(all(feature = "pineda", feature = "vulkan"))]
+#[derive(Args, Debug)]
+pub(crate) struct Conformance {
+    /// Only the groups whose name contains this
+    #[arg(long, value_name = "NAME")]
+    pub(crate) only: Option<String>,
+    /// Where random cases begin
+    #[arg(long, default_value_t = 1)]
+    pub(crate) seed: u64,
+    /// How many times as many cases
+    #[arg(long, default_value_t = 1, value_parser = clap::value_parser!(u64).range(1..))]
+    pub(crate) times: u64,
+    /// Show an example of each explained difference, too
+    #[arg(long)]
+    pub(crate) examples: bool,
+    /// lavapipe's driver file (default: where Debian, Fedora and Arch put it)
+    #[arg(long, value_name = "ICD.json")]
+    pub(crate) lavapipe: Option<PathBuf>,
+    /// The environment names the driver: what the command starts itself with, once it has found it
+    #[arg(long, hide = true)]
+    pub(crate) driver_is_chosen: bool,
 }
 
 #[derive(Args, Debug)]

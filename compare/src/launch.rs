@@ -28,11 +28,7 @@ pub(crate) fn find(peer: Peer, arguments: &Compare) -> Result<Found, String> {
             let program = arguments.native.as_deref().map_or(program, absolute);
             return Ok(Found { peer, program, driver: None, package: None });
         }
-        Peer::Lavapipe => find_driver(
-            arguments.lavapipe.as_deref(),
-            &lavapipe_places(),
-            "mesa-vulkan-drivers (Debian: apt-get install mesa-vulkan-drivers)",
-        )?,
+        Peer::Lavapipe => find_lavapipe(arguments.lavapipe.as_deref())?,
         Peer::Swiftshader => find_driver(
             arguments.swiftshader.as_deref(),
             &swiftshader_places(),
@@ -41,6 +37,18 @@ pub(crate) fn find(peer: Peer, arguments: &Compare) -> Result<Found, String> {
     };
     let package = if peer == Peer::Swiftshader { browser_version(&driver) } else { None };
     Ok(Found { peer, program, driver: Some(driver), package })
+}
+
+/// Finds lavapipe's driver file, or says in one line what to install.
+pub(crate) fn find_lavapipe(named: Option<&Path>) -> Result<PathBuf, String> {
+    let install = "mesa-vulkan-drivers (Debian: apt-get install mesa-vulkan-drivers)";
+    find_driver(named, &lavapipe_places(), install)
+}
+
+/// Lets a process that is to be started know no Vulkan driver but this one.
+pub(crate) fn choose_driver(command: &mut Command, driver: &Path) {
+    // The second name is the one that loaders before 1.3.207 know.
+    command.env("VK_DRIVER_FILES", driver).env("VK_ICD_FILENAMES", driver);
 }
 
 /// The version of the browser in whose folder the driver is.
@@ -125,8 +133,7 @@ impl Turn<'_> {
     fn set_environment(&self, command: &mut Command) -> Result<()> {
         command.current_dir(self.scratch);
         if let Some(driver) = &self.found.driver {
-            // The second name is the one that loaders before 1.3.207 know.
-            command.env("VK_DRIVER_FILES", driver).env("VK_ICD_FILENAMES", driver);
+            choose_driver(command, driver);
         }
         match self.found.peer {
             Peer::Lavapipe => {

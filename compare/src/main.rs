@@ -2,6 +2,10 @@
 
 mod backend;
 mod cli;
+#[cfg(all(feature = "pineda", feature = "vulkan"))]
+mod conformance;
+#[cfg(feature = "vulkan")]
+mod device;
 mod draw;
 mod launch;
 mod machine;
@@ -17,6 +21,8 @@ fn main() -> ExitCode {
     let arguments = cli::Arguments::parse();
     let outcome = match arguments.command {
         Some(cli::Command::Draw(draw)) => draw::draw(&draw).map(|()| true),
+        #[cfg(all(feature = "pineda", feature = "vulkan"))]
+        Some(cli::Command::Conformance(arguments)) => conformance::conformance(&arguments),
         None => measure::compare(&arguments.compare),
     };
     match outcome {

@@ -1,4 +1,4 @@
-//! The project's own commands: `cargo xtask test`, `prove`, `asm`, `compare`.
+//! The project's own commands: `cargo xtask test`, `prove`, `asm`, `compare`, `conformance`.
 //!
 //! They are programs rather than shell scripts so that they run wherever Rust does.
 
@@ -33,6 +33,9 @@ enum Task {
     /// Draws the same scenes with pineda, lavapipe, SwiftShader and euc, and compares times and pictures
     #[command(disable_help_flag = true)]
     Compare(Forwarded),
+    /// Draws thousands of cases with pineda and with lavapipe, and compares them pixel for pixel (docs/conformance.md)
+    #[command(disable_help_flag = true)]
+    Conformance(Forwarded),
 }
 
 /// Arguments for the program that does the work.
@@ -48,6 +51,7 @@ fn main() -> ExitCode {
         Task::Prove(Forwarded { arguments }) => run::prove(&arguments),
         Task::Asm => asm::asm(),
         Task::Compare(Forwarded { arguments }) => run::compare(&arguments),
+        Task::Conformance(Forwarded { arguments }) => run::conformance(&arguments),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

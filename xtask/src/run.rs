@@ -35,6 +35,13 @@ pub(crate) fn prove(arguments: &[String]) -> Result<(), String> {
         .args(arguments))
 }
 
+/// `cargo xtask conformance`: a part of the program that compares times, for that has the drivers already.
+pub(crate) fn conformance(arguments: &[String]) -> Result<(), String> {
+    let mut cargo = cargo();
+    cargo.current_dir(root().join("compare")).env_remove("CARGO_TARGET_DIR");
+    run(cargo.args(["run", "--quiet", "--release", "--", "conformance"]).args(arguments))
+}
+
 /// `cargo xtask compare`: a workspace of its own, whose dependencies are no part of this one. euc has its program twice, for it is the only one
 /// that must be built for this machine to show what it can do.
 pub(crate) fn compare(arguments: &[String]) -> Result<(), String> {

@@ -1,6 +1,7 @@
 //! lavapipe and SwiftShader: Vulkan through wgpu, headless. Which of the two answers is decided by the environment of the process.
 
 use super::Backend;
+use crate::device::Device;
 use crate::scene::{CLEAR_COLOR, HEIGHT, Scene, Shading, WIDTH};
 use anyhow::{Context, Result};
 use wgpu::util::{BufferInitDescriptor, DeviceExt};
@@ -28,21 +29,7 @@ pub(super) struct Vulkan {
 
 impl Vulkan {
     pub(super) fn new(scene: &Scene) -> Result<Self> {
-        let instance = wgpu::Instance::new(wgpu::InstanceDescriptor {
-            backends: wgpu::Backends::VULKAN,
-            // No validation, whatever the build; Debian's lavapipe does not claim conformance, which wgpu would otherwise hold against it.
-            flags: wgpu::InstanceFlags::ALLOW_UNDERLYING_NONCOMPLIANT_ADAPTER,
-            ..wgpu::InstanceDescriptor::new_without_display_handle()
-        });
-        let adapter = pollster::block_on(instance.request_adapter(&wgpu::RequestAdapterOptions::default()))
-            .context("the Vulkan driver offers no device")?;
-        let info = adapter.get_info();
-        let (device, queue) = pollster::block_on(adapter.request_device(&wgpu::DeviceDescriptor {
-            required_limits: adapter.limits(),
-            ..wgpu::DeviceDescriptor::default()
-        }))
-        .context("the Vulkan driver gives no device")?;
-
+        let Device { version, device, queue } = Device::open(wgpu::Features::empty())?;
         let uniforms = device.create_buffer_init(&BufferInitDescriptor {
             label: None,
             contents: bytemuck::cast_slice(&uniforms(scene)),
@@ -73,7 +60,7 @@ impl Vulkan {
             mapped_at_creation: false,
         });
         Ok(Self {
-            version: version(&info),
+            version,
             color: texture(&device, COLOR_FORMAT, wgpu::TextureUsages::COPY_SRC),
             depth: texture(&device, DEPTH_FORMAT, wgpu::TextureUsages::empty()),
             device,
@@ -150,12 +137,6 @@ impl Backend for Vulkan {
     fn pixels(&self) -> &[[u8; 4]] {
         &self.pixels
     }
-}
-
-/// The device and its driver. SwiftShader's driver does not say its version.
-fn version(info: &wgpu::AdapterInfo) -> String {
-    let driver = if info.driver_info.is_empty() { &info.driver } else { &info.driver_info };
-    format!("{}, {driver}, through wgpu 30", info.name)
 }
 
 /// The uniforms as `vulkan.wgsl` lays them out: a matrix of columns, then three vectors, each with a scalar in its fourth place.
