@@ -43,7 +43,7 @@ pub(crate) fn draw(arguments: &Draw) -> Result<()> {
     let cpu_ms = cpu_start.zip(machine::process_cpu_ms());
     let cpu_ms = cpu_ms.map(|(start, end)| (end - start) / frames_ms.len() as f64);
     if let Some(path) = &arguments.picture {
-        picture::write(path, backend.pixels())?;
+        picture::write(path, &backend.picture())?;
     }
     let report = Report { version: backend.version(), frames_ms, cpu_ms };
     match &arguments.report {

@@ -169,7 +169,7 @@ fn plan(renderers: &[Found], scenes: &[SceneName], thread_counts: &[usize]) -> V
     let mut measurements: Vec<Measurement> = Vec::new();
     for &scene in scenes {
         for &asked in thread_counts {
-            for peer in renderers.iter().map(|found| found.peer) {
+            for peer in renderers.iter().map(|found| found.peer).filter(|peer| peer.draws(scene)) {
                 let threads = peer.useful_threads(asked);
                 let planned =
                     |earlier: &Measurement| (earlier.peer, earlier.scene, earlier.threads) == (peer, scene, threads);

@@ -5,9 +5,10 @@
 
 use super::Backend;
 use crate::scene::{BlinnPhong, CLEAR_CODES, HEIGHT, Scene, Shading, WIDTH};
-use anyhow::Result;
+use anyhow::{Result, bail};
 use euc::rasterizer::{BackfaceCullingDisabled, BackfaceCullingEnabled, Triangles};
 use euc::{Interpolate, Pipeline, Target, buffer::Buffer2d};
+use std::borrow::Cow;
 
 pub(super) struct Euc {
     scene: Scene,
@@ -37,6 +38,7 @@ impl Backend for Euc {
         self.depth.clear(1.0);
         let depth = Some(&mut self.depth);
         match self.scene.shading {
+            Shading::Translucent => bail!("euc is asked for opaque surfaces only"),
             Shading::Gouraud => {
                 type Rasterizer<'a> = Triangles<'a, Buffer2d<f32>, BackfaceCullingDisabled>;
                 Colored { scene: &self.scene }.draw::<Rasterizer<'_>, _>(&self.scene.indices, &mut self.color, depth);
@@ -50,8 +52,8 @@ impl Backend for Euc {
         Ok(())
     }
 
-    fn pixels(&self) -> &[[u8; 4]] {
-        self.color.as_ref()
+    fn picture(&self) -> Cow<'_, [[u8; 4]]> {
+        Cow::Borrowed(self.color.as_ref())
     }
 }
 

@@ -6,10 +6,11 @@ mod pineda;
 #[cfg(feature = "vulkan")]
 mod vulkan;
 
-use crate::scene::Scene;
+use crate::scene::{Scene, SceneName};
 use anyhow::Result;
 use clap::ValueEnum;
 use serde::{Deserialize, Serialize};
+use std::borrow::Cow;
 
 /// Which renderer to draw with.
 #[derive(Clone, Copy, Debug, Deserialize, Eq, Ord, PartialEq, PartialOrd, Serialize, ValueEnum)]
@@ -31,11 +32,11 @@ pub(crate) trait Backend {
     /// Name, version and instruction set as the renderer itself gives them.
     fn version(&self) -> String;
 
-    /// Clears and draws one frame; on return [`Backend::pixels`] is that frame.
+    /// Clears and draws one frame; on return its output is in the caller's memory.
     fn draw(&mut self) -> Result<()>;
 
-    /// The last frame as linear 8-bit red, green, blue, alpha; rows from the top.
-    fn pixels(&self) -> &[[u8; 4]];
+    /// The last frame as 8-bit red, green, blue, alpha, rows from the top: linear colours, depths as [gray](crate::scene::gray), numbers' bytes.
+    fn picture(&self) -> Cow<'_, [[u8; 4]]>;
 }
 
 impl Peer {
@@ -46,6 +47,11 @@ impl Peer {
             Self::Lavapipe | Self::Swiftshader => vulkan_backend(scene),
             Self::Euc => Ok(Box::new(euc::Euc::new(scene))),
         }
+    }
+
+    /// Whether it can draw the scene: euc is asked for pictures of opaque surfaces only.
+    pub(crate) fn draws(self, scene: SceneName) -> bool {
+        self != Self::Euc || !matches!(scene, SceneName::Blend | SceneName::DepthOnly | SceneName::Ids)
     }
 
     /// How many of so many threads the renderer can make use of.

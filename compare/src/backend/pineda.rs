@@ -1,25 +1,31 @@
 //! `pineda` itself, as a program that depends on it would use it.
 
 use super::Backend;
-use crate::scene::{BlinnPhong, CLEAR_COLOR, HEIGHT, Scene, Shading, Vertex, WIDTH};
+use crate::scene::{BlinnPhong, CLEAR_COLOR, HEIGHT, Output, Scene, Shading, Vertex, WIDTH, gray};
 use anyhow::Result;
 use pineda::{
-    ColorBuffer, Cull, DrawState, Fragment, Indices, Lanes, Mat4, Mesh, Pass, Renderer, Rgba, Settings, Shader, Simd,
-    Target, Vec3, Vec4, shader, varyings,
+    Blend, ColorBuffer, Cull, DepthBuffer, DepthState, DrawState, Fragment, Indices, Lanes, Mat4, Mesh, Pass, Renderer,
+    Rgba, Settings, Shader, Simd, Target, Vec3, Vec4, shader, varyings,
 };
+use std::borrow::Cow;
 
 pub(super) struct Pineda {
     renderer: Renderer,
     scene: Scene,
     pixels: Vec<[u8; 4]>,
+    depth: Vec<f32>,
+    ids: Vec<u32>,
 }
 
 impl Pineda {
     pub(super) fn new(scene: &Scene, threads: usize) -> Result<Self> {
+        let pixels = |output| if scene.output == output { (WIDTH * HEIGHT) as usize } else { 0 };
         Ok(Self {
             renderer: Renderer::new(Settings { threads, ..Settings::default() })?,
             scene: scene.clone(),
-            pixels: vec![[0; 4]; (WIDTH * HEIGHT) as usize],
+            pixels: vec![[0; 4]; pixels(Output::Color)],
+            depth: vec![0.0; pixels(Output::Depth)],
+            ids: vec![0; pixels(Output::Ids)],
         })
     }
 }
@@ -35,24 +41,37 @@ impl Backend for Pineda {
         let mesh = Mesh { vertices: &self.scene.vertices, indices: Indices::U32(&self.scene.indices) };
         let clip_from_world = Mat4(transposed(self.scene.clip_from_world));
         let colored = Colored { clip_from_world };
+        let translucent = Translucent { clip_from_world };
         let lit;
         let mut pass = Pass::new();
         pass.clear_color = Some(CLEAR_COLOR);
         match self.scene.shading {
             Shading::Gouraud => pass.draw(&colored, mesh, DrawState::default()),
+            Shading::Translucent => {
+                let depth = DepthState { write: false, ..DepthState::default() };
+                pass.draw(&translucent, mesh, DrawState { depth, blend: Blend::ALPHA, ..DrawState::default() })
+            }
             Shading::BlinnPhong(uniforms) => {
                 lit = Lit { clip_from_world, uniforms };
                 pass.draw(&lit, mesh, DrawState { cull: Cull::Back, ..DrawState::default() })
             }
         };
-        let color = ColorBuffer::Rgba8(&mut self.pixels);
-        let mut target = Target { color, ..Target::new(WIDTH, HEIGHT) };
+        let mut target = Target::new(WIDTH, HEIGHT);
+        match self.scene.output {
+            Output::Color => target.color = ColorBuffer::Rgba8(&mut self.pixels),
+            Output::Depth => target.depth = DepthBuffer::D32F(&mut self.depth),
+            Output::Ids => target.triangle_ids = Some(&mut self.ids),
+        }
         self.renderer.render(&pass, &mut target)?;
         Ok(())
     }
 
-    fn pixels(&self) -> &[[u8; 4]] {
-        &self.pixels
+    fn picture(&self) -> Cow<'_, [[u8; 4]]> {
+        match self.scene.output {
+            Output::Color => Cow::Borrowed(&self.pixels),
+            Output::Depth => self.depth.iter().map(|&z| gray(z)).collect(),
+            Output::Ids => self.ids.iter().map(|id| id.to_le_bytes()).collect(),
+        }
     }
 }
 
@@ -71,6 +90,24 @@ impl Shader for Colored {
 
     fn fragment<L: Lanes>(&self, f: &mut Fragment<L, Self>) -> Rgba<L> {
         Rgba::opaque(f.varyings())
+    }
+}
+
+struct Translucent {
+    clip_from_world: Mat4,
+}
+
+#[shader]
+impl Shader for Translucent {
+    type Vertex = Vertex;
+    type Varyings<L: Lanes> = Vec3<L>;
+
+    fn vertex(&self, vertex: &Vertex) -> (Vec4, Vec3) {
+        (self.clip_from_world * Vec3::from(vertex.position).extend(1.0), vertex.color.into())
+    }
+
+    fn fragment<L: Lanes>(&self, f: &mut Fragment<L, Self>) -> Rgba<L> {
+        Rgba::new(f.varyings(), f.splat(0.5))
     }
 }
 

@@ -2,8 +2,9 @@
 
 use super::Backend;
 use crate::device::Device;
-use crate::scene::{CLEAR_COLOR, HEIGHT, Scene, Shading, WIDTH};
+use crate::scene::{CLEAR_COLOR, HEIGHT, Output, Scene, Shading, WIDTH, gray};
 use anyhow::{Context, Result};
+use std::borrow::Cow;
 use wgpu::util::{BufferInitDescriptor, DeviceExt};
 
 const COLOR_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
@@ -21,21 +22,23 @@ pub(super) struct Vulkan {
     vertices: wgpu::Buffer,
     indices: wgpu::Buffer,
     index_count: u32,
-    color: wgpu::Texture,
+    /// None for depth only.
+    color: Option<wgpu::Texture>,
     depth: wgpu::Texture,
+    output: Output,
     readback: wgpu::Buffer,
     pixels: Vec<[u8; 4]>,
 }
 
 impl Vulkan {
     pub(super) fn new(scene: &Scene) -> Result<Self> {
-        let Device { version, device, queue } = Device::open(wgpu::Features::empty())?;
+        let Device { version, device, queue } = Device::open(wgpu::Features::PRIMITIVE_INDEX)?;
         let uniforms = device.create_buffer_init(&BufferInitDescriptor {
             label: None,
             contents: bytemuck::cast_slice(&uniforms(scene)),
             usage: wgpu::BufferUsages::UNIFORM,
         });
-        let pipeline = pipeline(&device, scene.shading);
+        let pipeline = pipeline(&device, scene);
         let bindings = device.create_bind_group(&wgpu::BindGroupDescriptor {
             label: None,
             layout: &pipeline.get_bind_group_layout(0),
@@ -61,8 +64,9 @@ impl Vulkan {
         });
         Ok(Self {
             version,
-            color: texture(&device, COLOR_FORMAT, wgpu::TextureUsages::COPY_SRC),
-            depth: texture(&device, DEPTH_FORMAT, wgpu::TextureUsages::empty()),
+            color: color_format(scene.output).map(|format| texture(&device, format, wgpu::TextureUsages::COPY_SRC)),
+            depth: texture(&device, DEPTH_FORMAT, wgpu::TextureUsages::COPY_SRC),
+            output: scene.output,
             device,
             queue,
             pipeline,
@@ -76,23 +80,30 @@ impl Vulkan {
     }
 
     fn encode(&self) -> wgpu::CommandBuffer {
-        let color_view = self.color.create_view(&wgpu::TextureViewDescriptor::default());
+        let color_view = self.color.as_ref().map(|color| color.create_view(&wgpu::TextureViewDescriptor::default()));
         let depth_view = self.depth.create_view(&wgpu::TextureViewDescriptor::default());
-        let [r, g, b, a] = CLEAR_COLOR.map(f64::from);
-        let mut encoder = self.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
-            color_attachments: &[Some(wgpu::RenderPassColorAttachment {
-                view: &color_view,
+        let [r, g, b, a] = match self.output {
+            Output::Ids => [f64::from(u32::MAX); 4],
+            Output::Color | Output::Depth => CLEAR_COLOR.map(f64::from),
+        };
+        let depth_store = if self.color.is_none() { wgpu::StoreOp::Store } else { wgpu::StoreOp::Discard };
+        let color_attachment = color_view.as_ref().map(|view| {
+            Some(wgpu::RenderPassColorAttachment {
+                view,
                 depth_slice: None,
                 resolve_target: None,
                 ops: wgpu::Operations {
                     load: wgpu::LoadOp::Clear(wgpu::Color { r, g, b, a }),
                     store: wgpu::StoreOp::Store,
                 },
-            })],
+            })
+        });
+        let mut encoder = self.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+            color_attachments: color_attachment.as_slice(),
             depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
                 view: &depth_view,
-                depth_ops: Some(wgpu::Operations { load: wgpu::LoadOp::Clear(1.0), store: wgpu::StoreOp::Discard }),
+                depth_ops: Some(wgpu::Operations { load: wgpu::LoadOp::Clear(1.0), store: depth_store }),
                 stencil_ops: None,
             }),
             ..wgpu::RenderPassDescriptor::default()
@@ -104,7 +115,7 @@ impl Vulkan {
         pass.draw_indexed(0..self.index_count, 0, 0..1);
         drop(pass);
         encoder.copy_texture_to_buffer(
-            self.color.as_image_copy(),
+            self.color.as_ref().unwrap_or(&self.depth).as_image_copy(),
             wgpu::TexelCopyBufferInfo {
                 buffer: &self.readback,
                 layout: wgpu::TexelCopyBufferLayout {
@@ -134,8 +145,11 @@ impl Backend for Vulkan {
         Ok(())
     }
 
-    fn pixels(&self) -> &[[u8; 4]] {
-        &self.pixels
+    fn picture(&self) -> Cow<'_, [[u8; 4]]> {
+        match self.output {
+            Output::Color | Output::Ids => Cow::Borrowed(&self.pixels),
+            Output::Depth => self.pixels.iter().map(|&bytes| gray(f32::from_le_bytes(bytes))).collect(),
+        }
     }
 }
 
@@ -145,19 +159,42 @@ fn uniforms(scene: &Scene) -> [[f32; 4]; 7] {
     let [x, y, z, w] = std::array::from_fn(|column| rows.map(|row| row[column]));
     let extend = |[x, y, z]: [f32; 3], w| [x, y, z, w];
     match scene.shading {
-        Shading::Gouraud => [x, y, z, w, [0.0; 4], [0.0; 4], [0.0; 4]],
+        Shading::Gouraud | Shading::Translucent => [x, y, z, w, [0.0; 4], [0.0; 4], [0.0; 4]],
         Shading::BlinnPhong(lit) => {
             [x, y, z, w, extend(lit.eye, lit.ambient), extend(lit.light, lit.specular), extend(lit.albedo, 0.0)]
         }
     }
 }
 
-fn pipeline(device: &wgpu::Device, shading: Shading) -> wgpu::RenderPipeline {
-    let module = device.create_shader_module(wgpu::include_wgsl!("vulkan.wgsl"));
-    let (vertex, fragment, cull_mode) = match shading {
+/// What the picture is stored as.
+fn color_format(output: Output) -> Option<wgpu::TextureFormat> {
+    match output {
+        Output::Color => Some(COLOR_FORMAT),
+        Output::Depth => None,
+        Output::Ids => Some(wgpu::TextureFormat::R32Uint),
+    }
+}
+
+fn pipeline(device: &wgpu::Device, scene: &Scene) -> wgpu::RenderPipeline {
+    let (vertex, mut fragment, cull_mode) = match scene.shading {
         Shading::Gouraud => ("colored_vertex", "colored_fragment", None),
+        Shading::Translucent => ("colored_vertex", "translucent_fragment", None),
         Shading::BlinnPhong(_) => ("lit_vertex", "lit_fragment", Some(wgpu::Face::Back)),
     };
+    let module = match scene.output {
+        Output::Ids => {
+            fragment = "id_fragment";
+            device.create_shader_module(wgpu::include_wgsl!("vulkan_ids.wgsl"))
+        }
+        Output::Color | Output::Depth => device.create_shader_module(wgpu::include_wgsl!("vulkan.wgsl")),
+    };
+    let is_translucent = scene.shading == Shading::Translucent;
+    let blend = is_translucent.then_some(wgpu::BlendState::ALPHA_BLENDING);
+    let target = color_format(scene.output).map(|format| wgpu::ColorTargetState {
+        format,
+        blend,
+        write_mask: wgpu::ColorWrites::ALL,
+    });
     device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
         label: None,
         layout: None,
@@ -174,17 +211,17 @@ fn pipeline(device: &wgpu::Device, shading: Shading) -> wgpu::RenderPipeline {
         primitive: wgpu::PrimitiveState { cull_mode, ..wgpu::PrimitiveState::default() },
         depth_stencil: Some(wgpu::DepthStencilState {
             format: DEPTH_FORMAT,
-            depth_write_enabled: Some(true),
+            depth_write_enabled: Some(!is_translucent),
             depth_compare: Some(wgpu::CompareFunction::Less),
             stencil: wgpu::StencilState::default(),
             bias: wgpu::DepthBiasState::default(),
         }),
         multisample: wgpu::MultisampleState::default(),
-        fragment: Some(wgpu::FragmentState {
+        fragment: target.is_some().then_some(wgpu::FragmentState {
             module: &module,
             entry_point: Some(fragment),
             compilation_options: wgpu::PipelineCompilationOptions::default(),
-            targets: &[Some(COLOR_FORMAT.into())],
+            targets: &[target],
         }),
         multiview_mask: None,
         cache: None,

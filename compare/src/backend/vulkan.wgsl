@@ -24,6 +24,11 @@ fn colored_fragment(in: Colored) -> @location(0) vec4<f32> {
     return vec4(in.color, 1.0);
 }
 
+@fragment
+fn translucent_fragment(in: Colored) -> @location(0) vec4<f32> {
+    return vec4(in.color, 0.5);
+}
+
 struct Lit {
     @builtin(position) position: vec4<f32>,
     @location(0) world: vec3<f32>,

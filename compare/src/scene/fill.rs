@@ -1,6 +1,6 @@
 //! `fill`: 16 layers, each two triangles over the whole picture, so that coverage, depth and colour writes are all that counts.
 
-use super::{Scene, Shading, Vertex, matrix};
+use super::{Output, Scene, Shading, Vertex, matrix};
 
 const LAYERS: u32 = 16;
 /// Depth from one layer to the next.
@@ -29,7 +29,7 @@ pub(super) fn layers(order: Order) -> Scene {
         vertices.extend([(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)].map(|(x, y)| corner(layer, x, y)));
         indices.extend([0, 1, 2, 0, 2, 3].map(|corner| first + corner));
     }
-    Scene { vertices, indices, clip_from_world: matrix::IDENTITY, shading: Shading::Gouraud }
+    Scene { vertices, indices, clip_from_world: matrix::IDENTITY, shading: Shading::Gouraud, output: Output::Color }
 }
 
 fn corner(layer: u32, x: f32, y: f32) -> Vertex {

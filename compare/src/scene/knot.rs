@@ -3,7 +3,7 @@
 //! The knot is stretched to the picture's shape so that about half of the screen is covered. The tube keeps its round cross-section: a circle in the plane
 //! of two unit vectors perpendicular to the knot's tangent, one of them the stretched torus's own normal.
 
-use super::{BlinnPhong, HEIGHT, Scene, Shading, Vertex, WIDTH, matrix};
+use super::{BlinnPhong, HEIGHT, Output, Scene, Shading, Vertex, WIDTH, matrix};
 
 const SEGMENTS_ALONG: u32 = 875;
 const SEGMENTS_AROUND: u32 = 40;
@@ -42,6 +42,7 @@ pub(super) fn lit_knot() -> Scene {
             ambient: 0.1,
             specular: 0.4,
         }),
+        output: Output::Color,
     }
 }
 

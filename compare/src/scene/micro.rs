@@ -1,6 +1,6 @@
 //! `micro`: a sheet of 1000 x 500 jittered quads over the whole picture, a million triangles of 2.07 pixels on average.
 
-use super::{Scene, Shading, Vertex, matrix};
+use super::{Output, Scene, Shading, Vertex, matrix};
 
 const COLUMNS: u32 = 1000;
 const ROWS: u32 = 500;
@@ -22,7 +22,7 @@ pub(super) fn sheet() -> Scene {
             indices.extend([here, here + 1, above + 1, here, above + 1, above]);
         }
     }
-    Scene { vertices, indices, clip_from_world: matrix::IDENTITY, shading: Shading::Gouraud }
+    Scene { vertices, indices, clip_from_world: matrix::IDENTITY, shading: Shading::Gouraud, output: Output::Color }
 }
 
 fn knot_of_sheet(column: u32, row: u32) -> Vertex {

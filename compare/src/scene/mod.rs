@@ -1,5 +1,6 @@
 //! The scenes: plain vertices and indices, the same for every backend and on every run.
 
+mod city;
 mod fill;
 mod knot;
 mod matrix;
@@ -31,6 +32,12 @@ pub(crate) enum SceneName {
     Micro,
     /// A knot of 70,000 triangles, lit per pixel.
     Medium,
+    /// 16 full-screen layers, half transparent, the farthest first.
+    Blend,
+    /// A city of 200,000 triangles, of which the depth buffer is wanted and nothing else.
+    DepthOnly,
+    /// The knot's triangle numbers.
+    Ids,
 }
 
 /// A vertex as the caller would keep it: 36 bytes, one record.
@@ -49,6 +56,8 @@ pub(crate) struct Vertex {
 pub(crate) enum Shading {
     /// The interpolated vertex colour; both sides are drawn.
     Gouraud,
+    /// The same, blended half and half with what is there; depth is tested and not written.
+    Translucent,
     /// Blinn-Phong per pixel; back faces are culled.
     BlinnPhong(BlinnPhong),
 }
@@ -65,6 +74,23 @@ pub(crate) struct BlinnPhong {
     pub(crate) specular: f32,
 }
 
+/// What is to be in the caller's memory when a frame is done.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Output {
+    /// The picture.
+    Color,
+    /// The depth buffer, f32; no picture is drawn.
+    Depth,
+    /// The number of the triangle that each pixel shows, u32, all bits set where there is none; back faces are culled.
+    Ids,
+}
+
+/// A depth as a shade of gray, for pictures to be compared.
+pub(crate) fn gray(depth: f32) -> [u8; 4] {
+    let code = (depth.clamp(0.0, 1.0) * 255.0).round() as u8;
+    [code, code, code, 255]
+}
+
 /// Everything that a backend needs to draw one frame: an indexed triangle list, depth-tested `Less`, front faces counter-clockwise.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Scene {
@@ -73,6 +99,7 @@ pub(crate) struct Scene {
     /// Rows of the matrix that takes (x, y, z, 1) to clip space: x right, y up, 0 <= z <= w.
     pub(crate) clip_from_world: [[f32; 4]; 4],
     pub(crate) shading: Shading,
+    pub(crate) output: Output,
 }
 
 impl Scene {
@@ -83,6 +110,9 @@ impl Scene {
             SceneName::FillBackToFront => fill::layers(fill::Order::BackToFront),
             SceneName::Micro => micro::sheet(),
             SceneName::Medium => knot::lit_knot(),
+            SceneName::Blend => Self { shading: Shading::Translucent, ..fill::layers(fill::Order::BackToFront) },
+            SceneName::DepthOnly => city::occluders(),
+            SceneName::Ids => Self { output: Output::Ids, ..knot::lit_knot() },
         }
     }
 }
@@ -95,6 +125,9 @@ impl SceneName {
             Self::FillBackToFront => "fill_back_to_front",
             Self::Micro => "micro",
             Self::Medium => "medium",
+            Self::Blend => "blend",
+            Self::DepthOnly => "depth_only",
+            Self::Ids => "ids",
         }
     }
 }
@@ -110,6 +143,9 @@ mod tests {
             (SceneName::FillBackToFront, 32),
             (SceneName::Micro, 1_000_000),
             (SceneName::Medium, 70_000),
+            (SceneName::Blend, 32),
+            (SceneName::DepthOnly, 201_600),
+            (SceneName::Ids, 70_000),
         ] {
             let scene = Scene::new(name);
             assert_eq!(scene.indices.len(), 3 * triangles, "{name:?}");
