@@ -50,6 +50,38 @@ pub(crate) fn strips(bench: &mut Bench, tally: &mut Tally) -> Result<()> {
     compare(bench, shapes, tally, |_, _| None)
 }
 
+/// Triangles whose corners are given in 1/4096 pixel: snapped to the nearest 1/256, ties to even. Small ones, and edges near centres, so that a corner snapped otherwise shows.
+pub(crate) fn snapping(bench: &mut Bench, tally: &mut Tally) -> Result<()> {
+    let shapes = (bench.seed..).take(20_000 * bench.times as usize).map(|seed| {
+        let mut random = Random::new(seed);
+        let cell = 32;
+        let given: Vec<[i64; 2]> = (0..9)
+            .map(|_| {
+                [0; 2].map(|_| {
+                    let near_centre = 4096 * random.between(0, i64::from(cell) - 1) + 2048 + random.between(-40, 40);
+                    let any = random.between(16, 4096 * i64::from(cell) - 16);
+                    // Half way between two points of the grid, one time in two.
+                    let x = random.pick(&[near_centre, any]);
+                    if random.one_in(2) { x / 16 * 16 + 8 } else { x }
+                })
+            })
+            .collect();
+        let corners = given.iter().map(|point| point.map(nearest_even)).collect();
+        let mut shape = Shape::new(seed, cell, corners, (0..9).collect(), &mut random);
+        let beside = |(given, corner): (&[i64; 2], &Point)| [0, 1].map(|axis| given[axis] - 16 * corner[axis]);
+        shape.besides = given.iter().zip(&shape.corners).map(beside).collect();
+        shape
+    });
+    let shapes = shapes.collect();
+    compare(bench, shapes, tally, |_, _| None)
+}
+
+/// From 1/4096 pixel, not negative, to 1/256.
+fn nearest_even(x: i64) -> i64 {
+    let (below, beside) = (x / 16, x % 16);
+    if beside > 8 || (beside == 8 && below % 2 == 1) { below + 1 } else { below }
+}
+
 /// Scissor rectangles, and viewports anywhere in the picture, some upside down, with triangles that stay inside of the viewport.
 pub(crate) fn windows(bench: &mut Bench, tally: &mut Tally) -> Result<()> {
     let shapes = (bench.seed..).take(6_000 * bench.times as usize).map(|seed| {

@@ -38,6 +38,7 @@ type Group = (&'static str, fn(&mut Bench, &mut Tally) -> Result<()>);
 const GROUPS: &[Group] = &[
     ("coverage of lists", coverage::lists),
     ("coverage of strips", coverage::strips),
+    ("snapping", coverage::snapping),
     ("viewports, scissor", coverage::windows),
     ("across the border", coverage::border),
     ("depth tests", depth::tests),
@@ -71,7 +72,7 @@ pub(crate) fn conformance(arguments: &Conformance) -> Result<bool> {
     if !arguments.driver_is_chosen {
         return with_driver(arguments);
     }
-    let theirs = Theirs::new()?;
+    let theirs = Theirs::new().context("it needs `apt-get install mesa-vulkan-drivers libvulkan1`")?;
     println!("{}", theirs.version());
     ensure!(
         theirs.version().starts_with("llvmpipe"),

@@ -4,7 +4,7 @@
 //! from coverage alone, and so the oracle can say what is right, pixel by pixel.
 
 use super::Bench;
-use super::sheet::{Draw, Interpolation, Sheet, Vertex, clip_position};
+use super::sheet::{Draw, Interpolation, Sheet, Vertex, clip_position_between};
 use super::tally::{Row, Tally};
 use anyhow::Result;
 use pineda::{Blend, Cull, DepthState, DrawState, FrontFace, PrimitiveTopology, Scissor, Viewport};
@@ -26,6 +26,8 @@ pub(crate) struct Shape {
     pub(crate) cell: u32,
     /// 1/256 pixels from the cell's corner.
     pub(crate) corners: Vec<Point>,
+    /// By how much each is given beside where it snaps to, in 1/16 of that.
+    pub(crate) besides: Vec<[i64; 2]>,
     pub(crate) colors: Vec<[u8; 4]>,
     pub(crate) indices: Vec<u32>,
     /// Viewport and scissor count from the cell's corner.
@@ -45,7 +47,8 @@ impl Shape {
             blend: random.pick(&[Blend::ADD, Blend::OPAQUE]),
             ..DrawState::DEFAULT
         };
-        Self { seed, cell, corners, colors, indices, state, origin: [0; 2] }
+        let besides = vec![[0; 2]; corners.len()];
+        Self { seed, cell, corners, besides, colors, indices, state, origin: [0; 2] }
     }
 
     /// Indices of each triangle's corners, the first vertex first.
@@ -140,8 +143,9 @@ impl Shape {
         let Some(draw) = sheet.draws.iter_mut().find(|draw| draw.state == state) else { return };
         let first = draw.vertices.len() as u32;
         let [x, y] = self.origin.map(|x| 256 * i64::from(x));
-        for (corner, color) in self.corners.iter().zip(&self.colors) {
-            let position = clip_position(&viewport, [corner[0] + x, corner[1] + y], 0.5, 1.0);
+        for ((corner, beside), color) in self.corners.iter().zip(&self.besides).zip(&self.colors) {
+            let point = [16 * (corner[0] + x) + beside[0], 16 * (corner[1] + y) + beside[1]];
+            let position = clip_position_between(&viewport, point, 0.5, 1.0);
             draw.vertices.push(Vertex { position, color: color.map(|code| f32::from(code) / 255.0) });
         }
         let indices = draw.indices.get_or_insert_default();
@@ -155,7 +159,7 @@ impl Shape {
 impl fmt::Display for Shape {
     /// Everything about it, for someone to draw it alone.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { seed, cell, corners, colors, indices, state, .. } = self;
+        let Self { seed, cell, corners, besides, colors, indices, state, .. } = self;
         let DrawState { topology, cull, front_face, viewport, scissor, .. } = state;
         let blend = if state.blend == Blend::OPAQUE { "replaced" } else { "added" };
         write!(
@@ -163,6 +167,9 @@ impl fmt::Display for Shape {
             "seed {seed}: {topology:?} in {cell} x {cell} pixels, corners in 1/256 pixel {corners:?}, codes {colors:?} {blend}, "
         )?;
         write!(f, "indices {indices:?}, cull {cull:?}, front {front_face:?}")?;
+        if besides.iter().any(|beside| *beside != [0; 2]) {
+            write!(f, ", given beside the corners by 1/4096 pixel times {besides:?}")?;
+        }
         if let Some(viewport) = viewport {
             write!(f, ", {viewport:?}")?;
         }

@@ -126,8 +126,13 @@ impl DepthFormat {
 }
 
 /// The position in clip space of a point on the picture, in 1/256 pixels. Exact for viewports and w that are powers of two.
-pub(crate) fn clip_position(viewport: &Viewport, [x, y]: Point, z: f32, w: f32) -> [f32; 4] {
-    let unit = |x: i64, start: f32, size: f32| 2.0 * (x as f64 / 256.0 - f64::from(start)) / f64::from(size) - 1.0;
+pub(crate) fn clip_position(viewport: &Viewport, point: Point, z: f32, w: f32) -> [f32; 4] {
+    clip_position_between(viewport, point.map(|x| 16 * x), z, w)
+}
+
+/// The same of a point in 1/4096 pixels.
+pub(crate) fn clip_position_between(viewport: &Viewport, [x, y]: [i64; 2], z: f32, w: f32) -> [f32; 4] {
+    let unit = |x: i64, start: f32, size: f32| 2.0 * (x as f64 / 4096.0 - f64::from(start)) / f64::from(size) - 1.0;
     let position = [unit(x, viewport.x, viewport.width), -unit(y, viewport.y, viewport.height), z.into(), 1.0];
     position.map(|x| (x * f64::from(w)) as f32)
 }
