@@ -1,5 +1,6 @@
 //! `pineda` against the oracle, against a naive renderer, and against its own promises.
 
+mod color_errors;
 mod coverage;
 mod encodings;
 mod errors;

@@ -3,5 +3,7 @@
 mod blending;
 mod common;
 mod depth;
+mod formats;
 mod stencil;
+mod targets;
 mod windows;
