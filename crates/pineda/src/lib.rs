@@ -83,6 +83,7 @@
 extern crate self as pineda;
 
 mod camera;
+mod depth_pyramid;
 mod error;
 mod geometry;
 mod lanes;
@@ -97,12 +98,13 @@ mod tile;
 mod transpose;
 mod wide;
 
+pub use depth_pyramid::DepthPyramid;
 pub use error::Error;
 pub use pass::{
     Blend, BlendComponent, BlendFactor, BlendOperation, ClearColor, ColorMask, ColorOps, ColorState, Compare, Cull,
-    DepthBias, DepthState, DrawState, FrontFace, Indices, Instanced, Load, Mesh, Pass, PrimitiveTopology,
-    ProvokingVertex, Renderer, Scissor, Space, Statistics, StencilFace, StencilOperation, StencilState, Store,
-    Viewport,
+    DepthBias, DepthState, DrawState, DrawStatistics, FrontFace, Indices, Instanced, Load, Mesh, Pass,
+    PrimitiveTopology, ProvokingVertex, Renderer, Scissor, Space, Statistics, StencilFace, StencilOperation,
+    StencilState, Store, Viewport,
 };
 pub use settings::{Settings, Simd, TileSize, UnknownSimd};
 pub use target::{ColorBuffer, DepthBuffer, MAX_COLORS, MAX_SIZE, NO_ID, Target, f16_to_f32, f32_to_f16};

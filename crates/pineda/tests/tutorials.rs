@@ -15,6 +15,9 @@ mod instancing;
 #[path = "../examples/ndc_depth.rs"]
 #[allow(dead_code, unreachable_pub, reason = "an example's main and file writing are not run here")]
 mod ndc_depth;
+#[path = "../examples/occlusion.rs"]
+#[allow(dead_code, unreachable_pub, reason = "an example's main and file writing are not run here")]
+mod occlusion;
 #[path = "../examples/raster2d.rs"]
 #[allow(dead_code, unreachable_pub, reason = "an example's main and file writing are not run here")]
 mod raster2d;
@@ -74,6 +77,12 @@ fn homogeneous_picture() {
 #[test]
 fn instancing_picture() {
     check(instancing::draw, 0xbd1e_bc8f_27ca_defe);
+}
+
+#[test]
+fn occlusion_picture() {
+    check(occlusion::draw, 0x2fe5_117b_fb39_5c88);
+    check(occlusion::draw_all, 0x2fe5_117b_fb39_5c88);
 }
 
 fn spin(settings: Settings, frames: u32) -> u64 {

@@ -18,7 +18,7 @@ pub use colors::{ClearColor, ColorOps, ColorState, Load, Store};
 pub use primitives::{Indices, Instanced, PrimitiveTopology, ProvokingVertex};
 pub use render::Renderer;
 pub use state::{Compare, Cull, DepthBias, DepthState, DrawState, FrontFace, Scissor, Space, Viewport};
-pub use statistics::Statistics;
+pub use statistics::{DrawStatistics, Statistics};
 pub use stencil::{StencilFace, StencilOperation, StencilState};
 
 use crate::lanes::Scalar;

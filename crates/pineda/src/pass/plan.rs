@@ -104,6 +104,8 @@ impl Run<'_> {
 pub(crate) struct Segment {
     pub(crate) kind: SegmentKind,
     pub(crate) depth: DepthRule,
+    /// The draw that it belongs to, if draws are counted.
+    pub(crate) draw: Option<usize>,
     /// What can be covered, if that is not the whole target.
     pub(crate) rect: Option<PixelRect>,
 }
@@ -151,6 +153,8 @@ pub(crate) struct Batch<'p> {
     pub(crate) screen_vertices: usize,
     pub(crate) record_rows: usize,
     bytes: usize,
+    /// Whether each draw is a segment of its own, so that it can be counted alone.
+    counts: bool,
 }
 
 /// Cuts a valid pass into at least one batch.
@@ -160,9 +164,10 @@ pub(crate) fn plan<'p>(
     width: u32,
     height: u32,
     memory: usize,
+    counts: bool,
 ) -> Plan<'p> {
     let budget = memory.clamp(LEAST_MEMORY, MOST_MEMORY);
-    Plan { pass, extents, width, height, budget, draw: 0, triangle: 0, is_done: false }
+    Plan { pass, extents, width, height, budget, counts, draw: 0, triangle: 0, is_done: false }
 }
 
 /// One batch after the other: of a draw with very many instances there are more than one would like to keep.
@@ -173,6 +178,8 @@ pub(crate) struct Plan<'p> {
     width: u32,
     height: u32,
     budget: usize,
+    /// As [`Batch::counts`].
+    counts: bool,
     /// The next triangle: its draw, and its number there through all instances.
     draw: usize,
     triangle: usize,
@@ -186,7 +193,7 @@ impl<'p> Iterator for Plan<'p> {
         if self.is_done {
             return None;
         }
-        let mut batch = Batch::default();
+        let mut batch = Batch { counts: self.counts, ..Batch::default() };
         while let Some(extent) = self.extents.get(self.draw) {
             if self.triangle == extent.triangles * extent.instances {
                 (self.draw, self.triangle) = (self.draw + 1, 0);
@@ -339,7 +346,8 @@ impl<'p> Batch<'p> {
         let whole = PixelRect { x0: 0, y0: 0, x1: width as i32, y1: height as i32 };
         let kind = kind(state, call.discards(), call.outputs().kinds.len(), self.runs.len());
         let depth = DepthRule::new(state.depth.compare, &viewport);
-        let segment = Segment { kind, depth, rect: Some(rect).filter(|&rect| rect != whole) };
+        let segment =
+            Segment { kind, depth, draw: self.counts.then_some(draw), rect: Some(rect).filter(|&rect| rect != whole) };
         if self.segments.last() != Some(&segment) {
             self.segments.push(segment);
         }

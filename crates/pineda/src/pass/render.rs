@@ -5,7 +5,7 @@ use super::colors::{Store, check};
 use super::draw_call::VertexJob;
 use super::plan::{Batch, Geometry, Plan, Run, plan};
 use super::validate::{DrawExtent, validate};
-use super::{Cull, FrontFace, Pass, Statistics};
+use super::{Cull, DrawStatistics, FrontFace, Pass, Statistics};
 use crate::geometry::raster_space::ScreenVertex;
 use crate::raster::bins::{Share, TileGrid};
 use crate::raster::depth_bias::Bias;
@@ -71,10 +71,46 @@ impl Renderer {
     /// # Errors
     /// What is wrong with the target, a mesh or a viewport, found before anything is drawn; see [`Error`].
     pub fn render(&mut self, pass: &Pass<'_>, target: &mut Target<'_>) -> Result<Statistics, Error> {
+        self.execute(pass, target, None)
+    }
+
+    /// Draws a pass to a target, to the same bits as [`Renderer::render`], and counts what each of its draws does: occlusion queries and pipeline
+    /// statistics. Takes a little longer.
+    ///
+    /// ```
+    /// use pineda::*;
+    /// let square = |z: f32| [[8.0, 8.0], [8.0, 24.0], [24.0, 8.0], [24.0, 8.0], [8.0, 24.0], [24.0, 24.0]].map(|[x, y]| [x, y, z, 1.0f32]);
+    /// let (near, far) = (square(0.25), square(0.75));
+    /// let mut pass = Pass::new();
+    /// for vertices in [&near, &far] {
+    ///     let state = DrawState { space: Space::Raster, ..DrawState::default() };
+    ///     let mesh = Mesh { vertices: &vertices[..], indices: Indices::Sequential };
+    ///     pass.draw_with(mesh, state, |&position| (Vec4::from(position), ()), |f| Rgba::gray(f.z()));
+    /// }
+    /// let draws = Renderer::new(Settings::default())?.render_counted(&pass, &mut Target::new(32, 32))?;
+    /// assert_eq!(draws.iter().map(|draw| draw.samples_passed).collect::<Vec<_>>(), [16 * 16, 0]);
+    /// # Ok::<(), Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`Renderer::render`].
+    pub fn render_counted(&mut self, pass: &Pass<'_>, target: &mut Target<'_>) -> Result<Vec<DrawStatistics>, Error> {
+        let mut draws = vec![DrawStatistics::default(); pass.draws.len()];
+        self.execute(pass, target, Some(&mut draws))?;
+        Ok(draws)
+    }
+
+    /// Draws, and counts if there is something to count in: an element for each draw.
+    fn execute(
+        &mut self,
+        pass: &Pass<'_>,
+        target: &mut Target<'_>,
+        mut draws: Option<&mut [DrawStatistics]>,
+    ) -> Result<Statistics, Error> {
         target.validate()?;
         let extents = validate(pass, self.level, self.threads)?;
         check(pass, target)?;
-        let mut others = plan(pass, &extents, target.width, target.height, self.settings.memory);
+        let mut others = plan(pass, &extents, target.width, target.height, self.settings.memory, draws.is_some());
         let first = others.next().unwrap_or_default();
         let flushes = self.reserve(&first, others.clone(), target, uses_stencil(pass))?;
         let grid = TileGrid::new(target.width, target.height, self.settings.tile.log2());
@@ -84,8 +120,11 @@ impl Renderer {
         for (flush, batch) in std::iter::once(first).chain(others).enumerate() {
             self.assemble(pass, &extents, &batch);
             self.run_vertices(pass, &batch);
-            self.set_up(pass, &batch, grid, target.depth.format());
+            self.set_up(pass, &batch, grid, target.depth.format(), draws.is_some());
             self.paint(pass, &batch, grid, &mut target, flush == 0);
+            if let Some(draws) = draws.as_deref_mut() {
+                self.collect(&batch, draws);
+            }
             statistics.flushes += 1;
             self.shares.iter().for_each(|share| statistics.add(&share.statistics));
         }
@@ -194,7 +233,7 @@ impl Renderer {
     }
 
     /// Setup and binning: each share takes its stretch of the batch's triangles.
-    fn set_up(&mut self, pass: &Pass<'_>, batch: &Batch<'_>, grid: TileGrid, format: DepthFormat) {
+    fn set_up(&mut self, pass: &Pass<'_>, batch: &Batch<'_>, grid: TileGrid, format: DepthFormat, counts: bool) {
         let count = batch.triangles.div_ceil(LEAST_SHARE).clamp(1, self.threads);
         self.shares.resize_with(count, Share::default);
         let size = batch.triangles.div_ceil(count).next_multiple_of(16);
@@ -220,14 +259,33 @@ impl Renderer {
                     cull_clockwise,
                     cull_counter_clockwise,
                     bias,
+                    counts,
                     projection: &run.projection,
                     positions: &positions,
                 };
                 share.start_segment(run.segment);
                 let (range, screen) = (start..end - run.first_number, &screen[run.screen.clone()]);
+                let before = share.statistics;
                 dispatch!(level, s => setup(s, &state, &corners, screen, range, run.first_number, share));
+                if counts {
+                    share.count(run.draw, &before);
+                }
             }
         });
+    }
+
+    /// Adds a flush's numbers to its draws'.
+    fn collect(&mut self, batch: &Batch<'_>, draws: &mut [DrawStatistics]) {
+        for run in &batch.runs {
+            draws[run.draw].vertices_shaded += run.screen.len() as u64;
+        }
+        for share in &self.shares {
+            draws.iter_mut().zip(&share.draws).for_each(|(draw, counted)| draw.add(counted));
+        }
+        for painter in &mut self.painters {
+            draws.iter_mut().zip(&painter.draws).for_each(|(draw, counted)| draw.add(counted));
+            painter.draws.clear();
+        }
     }
 
     /// Coverage, depth and shading, tile by tile.

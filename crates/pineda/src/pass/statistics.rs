@@ -15,6 +15,52 @@ pub struct Statistics {
     pub flushes: u64,
 }
 
+/// What one draw did, as [`Renderer::render_counted`](crate::Renderer::render_counted) counts it.
+///
+/// Every triangle that comes in is at most one of `non_finite`, `outside`, `degenerate` and `culled`. No number depends on threads or on the SIMD level; those that depend
+/// on anything else of [`Settings`](crate::Settings) say so.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct DrawStatistics {
+    /// Vertices that went through the vertex stage: more if the pass takes several flushes. Those of clipped triangles go through it again, uncounted.
+    pub vertices_shaded: u64,
+    /// Triangles that came in.
+    pub triangles: u64,
+    /// Dropped because a vertex has a NaN or infinite position.
+    pub non_finite: u64,
+    /// Left out because they lie wholly outside the view volume or the guard band.
+    pub outside: u64,
+    /// Cut, or looked at closely; see [`Statistics::clipped`].
+    pub clipped: u64,
+    /// Without an area on the raster, after snapping and clipping.
+    pub degenerate: u64,
+    /// Left out for the face that they show.
+    pub culled: u64,
+    /// Tiles that at least one of its triangles may touch, in each flush. Depends on the size of tiles.
+    pub tiles: u64,
+    /// Fragments that went through the fragment stage. Of opaque draws only what is visible is shaded, and that may be decided several times, tile by tile: depends on the size of tiles, and
+    /// on flushes.
+    pub fragments_shaded: u64,
+    /// Samples that passed all tests when it was their turn, and were not discarded: an occlusion query. 0 says that nothing of the draw was
+    /// visible on top of the draws before it.
+    pub samples_passed: u64,
+}
+
+impl DrawStatistics {
+    pub(crate) fn add(&mut self, other: &Self) {
+        self.vertices_shaded += other.vertices_shaded;
+        self.triangles += other.triangles;
+        self.non_finite += other.non_finite;
+        self.outside += other.outside;
+        self.clipped += other.clipped;
+        self.degenerate += other.degenerate;
+        self.culled += other.culled;
+        self.tiles += other.tiles;
+        self.fragments_shaded += other.fragments_shaded;
+        self.samples_passed += other.samples_passed;
+    }
+}
+
 impl Statistics {
     pub(crate) fn add(&mut self, other: &Self) {
         self.triangles += other.triangles;

@@ -1,7 +1,7 @@
 //! The records of a share of the batch's triangles, and which tiles they touch.
 
 use super::record::{LargeTriangle, MidTriangle, SmallTriangle};
-use crate::pass::Statistics;
+use crate::pass::{DrawStatistics, Statistics};
 
 /// The grid of tiles that covers a target.
 #[derive(Clone, Copy, Debug)]
@@ -94,6 +94,11 @@ pub(crate) struct Share {
     pub(crate) bins: Vec<Vec<BinEntry>>,
     pub(crate) segments: Vec<SegmentStart>,
     pub(crate) statistics: Statistics,
+    /// What else is counted of each draw if it is asked for.
+    pub(crate) draws: Vec<DrawStatistics>,
+    /// Of the run that is being set up, if it is asked for.
+    pub(crate) degenerate: u64,
+    pub(crate) culled: u64,
 }
 
 impl Share {
@@ -104,10 +109,28 @@ impl Share {
         self.large.clear();
         self.segments.clear();
         self.statistics = Statistics::default();
+        self.draws.clear();
         for bin in &mut self.bins {
             bin.clear();
         }
         self.bins.resize_with(grid.tile_count(), Vec::new);
+    }
+
+    /// Adds what has been counted since `before` to a draw's numbers.
+    pub(crate) fn count(&mut self, draw: usize, before: &Statistics) {
+        if self.draws.len() <= draw {
+            self.draws.resize(draw + 1, DrawStatistics::default());
+        }
+        let now = &self.statistics;
+        self.draws[draw].add(&DrawStatistics {
+            triangles: now.triangles - before.triangles,
+            non_finite: now.non_finite - before.non_finite,
+            outside: now.outside - before.outside,
+            clipped: now.clipped - before.clipped,
+            degenerate: std::mem::take(&mut self.degenerate),
+            culled: std::mem::take(&mut self.culled),
+            ..DrawStatistics::default()
+        });
     }
 
     /// From here on triangles belong to this segment.

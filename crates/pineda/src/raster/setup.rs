@@ -40,6 +40,8 @@ pub(crate) struct SetupState<'a> {
     pub(crate) cull_clockwise: bool,
     pub(crate) cull_counter_clockwise: bool,
     pub(crate) bias: Option<Bias>,
+    /// Whether degenerate and culled triangles are counted.
+    pub(crate) counts: bool,
     pub(crate) projection: &'a Projection,
     /// Runs a draw's vertex stage again, for a triangle that needs clipping: the positions of vertices by their places.
     pub(crate) positions: &'a (dyn Fn([usize; 3]) -> [[f32; 4]; 3] + Sync),
@@ -117,8 +119,12 @@ fn careful<S: Simd>(
     }
     share.statistics.clipped += 1;
     let positions = (state.positions)(places);
-    let Some(clipped) = clip(state.projection, positions, vertices) else { return };
+    let Some(clipped) = clip(state.projection, positions, vertices) else {
+        share.degenerate += u64::from(state.counts);
+        return;
+    };
     if if clipped.is_clockwise { state.cull_clockwise } else { state.cull_counter_clockwise } {
+        share.culled += u64::from(state.counts);
         return;
     }
     let offset = state.bias.map_or(0.0, |bias| {
@@ -174,9 +180,16 @@ fn emit<S: Simd>(
     let mut live = column0.simd_le(column1) & row0.simd_le(row1) & asked;
 
     let is_large = (max_x - min_x).simd_gt(MID_EXTENT) | (max_y - min_y).simd_gt(MID_EXTENT);
-    let area = area_x2(s, triangles, is_large & live);
+    let counts = state.counts && clipped.is_none();
+    let area = area_x2(s, triangles, is_large & if counts { asked } else { live });
     let counter_clockwise = area.simd_lt(0.0);
     let degenerate = area.simd_eq(0.0);
+    if counts {
+        let facing = (mask32x16::splat(s, state.cull_clockwise) & !counter_clockwise)
+            | (mask32x16::splat(s, state.cull_counter_clockwise) & counter_clockwise);
+        share.degenerate += u64::from((asked & degenerate).to_bitmask().count_ones());
+        share.culled += u64::from((asked & facing & !degenerate).to_bitmask().count_ones());
+    }
     live = live & !degenerate;
     if clipped.is_none() {
         if state.cull_clockwise {

@@ -10,7 +10,7 @@ use super::packet::{BATCH, PacketBatch};
 use super::run::RunView;
 use super::stencil::Tests;
 use crate::pass::draw_call::DrawCall;
-use crate::pass::{ColorMask, ColorState};
+use crate::pass::{ColorMask, ColorState, DrawStatistics};
 use crate::raster::triangle_id::TriangleId;
 use crate::target::format::{Channels, ColorFormat, TileColor};
 use crate::tile::Tile;
@@ -52,6 +52,19 @@ pub(crate) struct Shading<'a> {
     pub(crate) more_colors: &'a mut [TileColor],
     pub(crate) batch: &'a mut PacketBatch,
     pub(crate) cache: &'a mut TriangleCache,
+    /// Where fragments and samples of ordered draws are counted, if they are.
+    pub(crate) counted: Option<&'a mut DrawStatistics>,
+}
+
+impl Shading<'_> {
+    /// Counts the lanes of a block.
+    #[inline(always)]
+    fn count(&mut self, block: usize, fragments: u32, samples: u32) {
+        if let Some(counted) = self.counted.as_deref_mut().filter(|_| !self.view.is_border(block)) {
+            counted.fragments_shaded += u64::from(fragments.count_ones());
+            counted.samples_passed += u64::from(samples.count_ones());
+        }
+    }
 }
 
 /// Shades what the visibility buffer shows: each sample once.
@@ -129,6 +142,7 @@ pub(crate) fn shade_in_order<S: Simd>(s: S, shading: &mut Shading<'_>, packets: 
                 mask = covered;
             }
             let mask = mask.to_bitmask() as u32;
+            shading.count(block, if is_shaded { mask } else { 0 }, if is_shaded { 0 } else { mask });
             if !is_shaded {
                 keep(s, shading.tile, state.depth.write, block, tested.both, &packet.depth, &[packet.id; 16]);
                 next += 1;
@@ -177,6 +191,7 @@ fn merge<S: Simd>(s: S, shading: &mut Shading<'_>) {
             alive = tested.both;
         }
         keep(s, shading.tile, state.depth.write, block, alive, &packet.depth, &packet.ids);
+        let passed = alive.to_bitmask() as u32;
         let more = shading.batch.more(i);
         // Only a target with one colour buffer is blended with a second source.
         let second = if more.is_empty() { &packet.color } else { &more[0] };
@@ -188,6 +203,7 @@ fn merge<S: Simd>(s: S, shading: &mut Shading<'_>) {
             }
             k += 1;
         }
+        shading.count(block, 0, passed);
         i += 1;
     }
 }

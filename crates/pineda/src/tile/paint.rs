@@ -5,6 +5,7 @@ use super::queue::TileQueue;
 use super::sink::{AnyTest, DepthTest, HitCounter, Less, Sink, Visibility};
 use super::view::TileView;
 use super::{Tile, outputs};
+use crate::pass::DrawStatistics;
 use crate::pass::draw_call::DrawCall;
 use crate::pass::plan::{Batch, Segment, SegmentKind};
 use crate::raster::bins::{BinEntry, Share, TileGrid};
@@ -82,6 +83,8 @@ pub(crate) struct Painter {
     batch: PacketBatch,
     cache: TriangleCache,
     ordered: Vec<OrderedPacket>,
+    /// What was counted of each draw, if it is asked for.
+    pub(crate) draws: Vec<DrawStatistics>,
 }
 
 /// Ordered packets are shaded when there are this many.
@@ -98,6 +101,7 @@ impl Painter {
             batch: PacketBatch::new(),
             cache: TriangleCache::new(),
             ordered: Vec::new(),
+            draws: Vec::new(),
         }
     }
 
@@ -119,9 +123,14 @@ impl Painter {
         }
         self.start(painting, &view, row as usize);
         let mut has_visible = false;
+        let mut counted = None;
         for share in painting.shares {
             for (segment, entries) in Stretches::new(share, &share.bins[bin]) {
                 let segment = &painting.batch.segments[segment];
+                if let Some(draw) = segment.draw.filter(|_| segment.draw != counted) {
+                    self.counts(draw).tiles += 1;
+                    counted = segment.draw;
+                }
                 if painting.wants.hits {
                     self.count(painting, share, entries, &view, segment);
                 }
@@ -207,12 +216,17 @@ impl Painter {
     ) {
         let (tile, rect) = (&mut self.tile, segment.rect.as_ref());
         let test = AnyTest { rule: segment.depth, format: painting.depth_format };
-        let is_usual = segment.depth.is_usual() && painting.depth_format.is_float();
-        dispatch!(painting.level, s => match (is_usual, wants_ids) {
-            (true, true) => visibility::<_, _, true>(s, share, entries, view, rect, tile, Less),
-            (true, false) => visibility::<_, _, false>(s, share, entries, view, rect, tile, Less),
-            _ => visibility::<_, _, true>(s, share, entries, view, rect, tile, test),
+        let counted_in = segment.draw.map(|_| *view);
+        let is_usual = segment.depth.is_usual() && painting.depth_format.is_float() && counted_in.is_none();
+        let area = Area { share, entries, view, rect };
+        let passed = dispatch!(painting.level, s => match (is_usual, wants_ids) {
+            (true, true) => visibility::<_, _, true>(s, &area, tile, Less, None),
+            (true, false) => visibility::<_, _, false>(s, &area, tile, Less, None),
+            _ => visibility::<_, _, true>(s, &area, tile, test, counted_in),
         });
+        if let Some(draw) = segment.draw {
+            self.counts(draw).samples_passed += passed;
+        }
     }
 
     /// Shades every sample of the visibility buffer, draw by draw.
@@ -239,9 +253,19 @@ impl Painter {
                 more_colors: &mut self.more_colors,
                 batch: &mut self.batch,
                 cache: &mut self.cache,
+                counted: None,
             };
             dispatch!(painting.level, s => shade_visible(s, &mut shading, packets));
+            if painting.batch.segments[painting.batch.runs[run].segment].draw.is_some() {
+                let fragments: u32 = packets.iter().map(|packet| packet.mask.count_ones()).sum();
+                draws_entry(&mut self.draws, painting.batch.runs[run].draw).fragments_shaded += u64::from(fragments);
+            }
         }
+    }
+
+    /// The numbers of a draw.
+    fn counts(&mut self, draw: usize) -> &mut DrawStatistics {
+        draws_entry(&mut self.draws, draw)
     }
 
     /// Empties the visibility buffer, after noting what it showed.
@@ -278,6 +302,7 @@ impl Painter {
         }
         let test = AnyTest { rule: segment.depth, format: painting.depth_format };
         let mut work = std::mem::take(&mut self.tile.worklist);
+        let mut counted = segment.draw.map(|_| DrawStatistics::default());
         let mut sink = InOrder {
             test,
             packets: &mut self.ordered,
@@ -292,6 +317,7 @@ impl Painter {
                     more_colors: &mut self.more_colors,
                     batch: &mut self.batch,
                     cache: &mut self.cache,
+                    counted: counted.as_mut(),
                 };
                 dispatch!(painting.level, s => shade_in_order(s, &mut shading, packets));
             },
@@ -299,21 +325,40 @@ impl Painter {
         dispatch!(painting.level, s => cover(s, share, entries, view, segment.rect.as_ref(), &mut work, &mut sink));
         sink.finish();
         self.tile.worklist = work;
+        if let (Some(counted), Some(draw)) = (counted, segment.draw) {
+            self.counts(draw).add(&counted);
+        }
     }
 }
 
+/// How many samples passed, if they are counted.
 #[inline(always)]
 fn visibility<S: Simd, T: DepthTest<S>, const ID: bool>(
     s: S,
-    share: &Share,
-    entries: &[BinEntry],
-    view: &TileView,
-    rect: Option<&PixelRect>,
+    area: &Area<'_>,
     tile: &mut Tile,
     test: T,
-) {
-    let (mut sink, work) = Visibility::<T, ID>::new::<S>(tile, test);
-    cover(s, share, entries, view, rect, work, &mut sink);
+    counted_in: Option<TileView>,
+) -> u64 {
+    let (mut sink, work) = Visibility::<T, ID>::new::<S>(tile, test, counted_in);
+    cover(s, area.share, area.entries, area.view, area.rect, work, &mut sink);
+    sink.passed
+}
+
+/// What is covered, and where.
+struct Area<'a> {
+    share: &'a Share,
+    entries: &'a [BinEntry],
+    view: &'a TileView,
+    rect: Option<&'a PixelRect>,
+}
+
+/// The element for a draw.
+fn draws_entry(draws: &mut Vec<DrawStatistics>, draw: usize) -> &mut DrawStatistics {
+    if draws.len() <= draw {
+        draws.resize(draw + 1, DrawStatistics::default());
+    }
+    &mut draws[draw]
 }
 
 /// The blocks with something visible, and of which run; a block that shows several runs comes several times.

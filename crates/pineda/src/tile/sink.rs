@@ -1,5 +1,6 @@
 //! What becomes of covered samples: the coverage kernels hand them over a block at a time.
 
+use super::view::TileView;
 use super::{Bounds, Tile};
 use crate::pass::Compare;
 use crate::pass::plan::DepthRule;
@@ -51,6 +52,8 @@ const ONE: i32 = 1.0f32.to_bits() as i32;
 
 /// The depth test of a draw.
 pub(crate) trait DepthTest<S: Simd>: Copy {
+    /// Whether it is used where passing samples are counted.
+    const COUNTS: bool;
     /// The bits that are compared, and stored.
     fn depths(&self, s: S, z: f32x16<S>) -> i32x16<S>;
     /// Which of the samples pass.
@@ -66,6 +69,8 @@ pub(crate) trait DepthTest<S: Simd>: Copy {
 pub(crate) struct Less;
 
 impl<S: Simd> DepthTest<S> for Less {
+    const COUNTS: bool = false;
+
     #[inline(always)]
     fn depths(&self, _: S, z: f32x16<S>) -> i32x16<S> {
         clamped(z, 0, ONE)
@@ -96,6 +101,8 @@ pub(crate) struct AnyTest {
 }
 
 impl<S: Simd> DepthTest<S> for AnyTest {
+    const COUNTS: bool = true;
+
     #[inline(always)]
     fn depths(&self, s: S, z: f32x16<S>) -> i32x16<S> {
         let z = clamped(z, self.rule.low, self.rule.high);
@@ -146,17 +153,24 @@ pub(crate) struct Visibility<'a, T, const ID: bool> {
     tile_id: &'a mut [[u32; 16]],
     bounds: &'a mut Bounds,
     test: T,
+    /// Where the tile lies, if passing samples are counted, and how many there were.
+    counted_in: Option<TileView>,
+    pub(crate) passed: u64,
 }
 
 impl<'a, T, const ID: bool> Visibility<'a, T, ID> {
-    pub(crate) fn new<S: Simd>(tile: &'a mut Tile, test: T) -> (Self, &'a mut super::mid::Worklist)
+    pub(crate) fn new<S: Simd>(
+        tile: &'a mut Tile,
+        test: T,
+        counted_in: Option<TileView>,
+    ) -> (Self, &'a mut super::mid::Worklist)
     where
         T: DepthTest<S>,
     {
         let [less, _, greater] = test.outcomes();
         tile.unbound(less, greater);
         let Tile { depth, id, bounds, worklist, .. } = tile;
-        (Self { tile_depth: depth, tile_id: id, bounds, test }, worklist)
+        (Self { tile_depth: depth, tile_id: id, bounds, test, counted_in, passed: 0 }, worklist)
     }
 }
 
@@ -168,6 +182,9 @@ impl<S: Simd, T: DepthTest<S>, const ID: bool> Sink<S> for Visibility<'_, T, ID>
         let there = i32x16::simd_from(s, *depth);
         let passes = inside & self.test.passes(s, z, there);
         *depth = passes.select(z, there).into();
+        if T::COUNTS && self.counted_in.is_some_and(|view| !view.is_border(block)) {
+            self.passed += u64::from(passes.to_bitmask().count_ones());
+        }
         if ID {
             let ids = &mut self.tile_id[block];
             let there = u32x16::simd_from(s, *ids);

@@ -32,6 +32,13 @@ impl TileView {
         (y + 1) as usize * self.stride + (x + 1) as usize
     }
 
+    /// Whether a block belongs to the border, where nothing counts.
+    #[inline(always)]
+    pub(crate) fn is_border(&self, block: usize) -> bool {
+        let (x, y) = (block % self.stride, block / self.stride);
+        x == 0 || y == 0 || x == self.stride - 1 || y == self.stride - 1
+    }
+
     /// The first pixel of a block.
     #[inline(always)]
     pub(crate) fn pixel_of(&self, block: usize) -> (i32, i32) {

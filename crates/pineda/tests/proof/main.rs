@@ -6,6 +6,7 @@ mod encodings;
 mod errors;
 mod fragments;
 mod garbage;
+mod occlusion;
 mod passes;
 mod primitives;
 mod scene;

@@ -4,6 +4,7 @@ mod blending;
 mod common;
 mod depth;
 mod formats;
+mod queries;
 mod stencil;
 mod targets;
 mod windows;

@@ -32,18 +32,19 @@ fn operated(operation: StencilOperation, stored: u8, reference: u8) -> u8 {
 
 /// What a pixel holds.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Sample {
-    color: [f32; 4],
-    depth: f32,
-    stencil: u8,
-    draw: u32,
+pub(crate) struct Sample {
+    pub(crate) color: [f32; 4],
+    pub(crate) depth: f32,
+    pub(crate) stencil: u8,
+    pub(crate) draw: u32,
 }
 
 impl Sample {
-    fn draw(&mut self, draw: usize, layer: &Layer, at: usize) {
+    /// One fragment more. Whether it passed.
+    pub(crate) fn draw(&mut self, draw: usize, layer: &Layer, at: usize) -> bool {
         let (state, color, z) = (&layer.state, layer.colors[at], layer.depths[at]);
         if layer.discards && color[3] < 0.25 {
-            return;
+            return false;
         }
         let depth_passes = passes(state.depth.compare, z, self.depth);
         let mut all_pass = depth_passes;
@@ -71,6 +72,7 @@ impl Sample {
                 self.color = if state.blend == Blend::ADD { sum } else { color };
             }
         }
+        all_pass
     }
 }
 
@@ -88,7 +90,7 @@ fn random_face(random: &mut Random) -> StencilFace {
     }
 }
 
-fn random_layer(random: &mut Random) -> Layer {
+pub(crate) fn random_layer(random: &mut Random) -> Layer {
     let depth = DepthState { compare: random.pick(&Compare::ALL), write: random.one_in(2) };
     let state = DrawState {
         depth,
@@ -116,7 +118,9 @@ fn every_operation_and_comparison_in_submission_order() {
             .map(|at| {
                 let stencil = clear.unwrap_or(given[at]);
                 let mut sample = Sample { color: [0.0; 4], depth: 0.5, stencil, draw: NO_ID };
-                layers.iter().enumerate().for_each(|(draw, layer)| sample.draw(draw, layer, at));
+                for (draw, layer) in layers.iter().enumerate() {
+                    sample.draw(draw, layer, at);
+                }
                 sample
             })
             .collect();
