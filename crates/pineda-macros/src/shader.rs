@@ -3,7 +3,10 @@
 use proc_macro2::{Span, TokenStream};
 use quote::ToTokens;
 use syn::visit_mut::{self, VisitMut};
-use syn::{Attribute, Error, Expr, ImplItemFn, Item, ItemFn, ItemImpl, Local, Path, TraitItemFn, parse_quote};
+use syn::{
+    Attribute, Error, Expr, GenericParam, ImplItem, ImplItemFn, Item, ItemFn, ItemImpl, Local, Path, ReturnType,
+    TraitItemFn, parse_quote,
+};
 
 pub(crate) fn expand(arguments: TokenStream, item: TokenStream) -> Result<TokenStream, Error> {
     if !arguments.is_empty() {
@@ -53,6 +56,9 @@ impl VisitMut for Inliner {
                 #[doc(hidden)]
                 const ADD_THE_ATTRIBUTE_shader_TO_THIS_IMPL: () = ();
             });
+            if let Some(output) = output(block) {
+                block.items.push(output);
+            }
         }
         visit_mut::visit_item_impl_mut(self, block);
     }
@@ -81,6 +87,26 @@ impl VisitMut for Inliner {
         }
         visit_mut::visit_expr_mut(self, expression);
     }
+}
+
+/// `type Output<L>`, which is what the fragment stage says that it returns; `None` if it is there already, or the stage is not.
+fn output(block: &ItemImpl) -> Option<ImplItem> {
+    let is_output = |item: &ImplItem| matches!(item, ImplItem::Type(ty) if ty.ident == "Output");
+    if block.items.iter().any(is_output) {
+        return None;
+    }
+    let signature = block.items.iter().find_map(|item| match item {
+        ImplItem::Fn(function) if function.sig.ident == "fragment" => Some(&function.sig),
+        _ => None,
+    })?;
+    let width = signature.generics.params.iter().find_map(|parameter| match parameter {
+        GenericParam::Type(width) => Some(&width.ident),
+        _ => None,
+    })?;
+    Some(match &signature.output {
+        ReturnType::Default => parse_quote!(type Output<#width: ::pineda::Lanes> = ();),
+        ReturnType::Type(_, returned) => parse_quote!(type Output<#width: ::pineda::Lanes> = #returned;),
+    })
 }
 
 /// `#[inline(always)]`, in place of whatever the item said about inlining and of `#[shader]` itself.

@@ -1,4 +1,5 @@
 use crate::settings::Simd;
+use crate::shading::OutputKind;
 
 /// What can be wrong with a pass, a target or the settings.
 ///
@@ -83,6 +84,71 @@ pub enum Error {
         draw: usize,
         /// The field of [`DepthBias`](crate::DepthBias).
         field: &'static str,
+    },
+    /// A target with more colour buffers than [`MAX_COLORS`](crate::MAX_COLORS).
+    #[error("a target has at most {} colour buffers, not {colors}", crate::MAX_COLORS)]
+    TooManyColors {
+        /// How many there are.
+        colors: usize,
+    },
+    /// A fragment stage returns more values than the target has colour buffers, or fewer than the draw writes.
+    #[error(
+        "draw {draw}: the fragment stage returns {outputs} value(s), but the target has {colors} colour buffer(s); return one for each, or \
+         mask what is not to be written"
+    )]
+    OutputCount {
+        /// The draw's number in its pass, from 0.
+        draw: usize,
+        /// How many values the fragment stage returns.
+        outputs: usize,
+        /// How many colour buffers the target has.
+        colors: usize,
+    },
+    /// A fragment stage returns another kind of numbers than a colour buffer holds.
+    #[error("draw {draw}: the fragment stage returns {returned} for colour buffer {color}, which holds {holds}")]
+    OutputKind {
+        /// The draw's number in its pass, from 0.
+        draw: usize,
+        /// The colour buffer: 0 is [`Target::color`](crate::Target::color).
+        color: usize,
+        /// What the fragment stage returns.
+        returned: OutputKind,
+        /// What the buffer holds.
+        holds: OutputKind,
+    },
+    /// A draw blends with a colour buffer of integers.
+    #[error(
+        "draw {draw}: colour buffer {color} holds integers, which are not blended; set `DrawState::colors` for it, with `Blend::OPAQUE`"
+    )]
+    BlendedIntegers {
+        /// The draw's number in its pass, from 0.
+        draw: usize,
+        /// The colour buffer: 0 is [`Target::color`](crate::Target::color).
+        color: usize,
+    },
+    /// A blend factor takes a second source, which the fragment stage does not return.
+    #[error("draw {draw}: a blend factor takes a second source; return a `DualSource` from the fragment stage")]
+    NoSecondSource {
+        /// The draw's number in its pass, from 0.
+        draw: usize,
+    },
+    /// A blend factor takes a second source, and the target has more than one colour buffer.
+    #[error("draw {draw}: a blend factor takes a second source, which goes with one colour buffer, not with {colors}")]
+    SecondSourceColors {
+        /// The draw's number in its pass, from 0.
+        draw: usize,
+        /// How many colour buffers the target has.
+        colors: usize,
+    },
+    /// A colour buffer is cleared to another kind of numbers than it holds.
+    #[error("colour buffer {color} is cleared to {clear}, but holds {holds}")]
+    ClearKind {
+        /// The colour buffer: 0 is [`Target::color`](crate::Target::color).
+        color: usize,
+        /// What it is cleared to.
+        clear: OutputKind,
+        /// What it holds.
+        holds: OutputKind,
     },
     /// The SIMD level was named, and this CPU or build does not have it.
     #[error("this machine has no {asked}; it has {}", list(.available))]

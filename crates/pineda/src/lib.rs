@@ -71,7 +71,7 @@
 //!
 //! # What comes out
 //!
-//! Colour (8 bits linear or sRGB, or f32), depth, and, for those who shade elsewhere, the visibility buffer: triangle, instance and draw ids, barycentric coordinates,
+//! Colour (8 bits linear or sRGB, 16 bits, half floats, f32, integers; up to eight [things at once](Outputs)), depth, and, for those who shade elsewhere, the visibility buffer: triangle, instance and draw ids, barycentric coordinates,
 //! and how often each pixel was covered. See [`Target`].
 //!
 //! # What cannot happen
@@ -101,19 +101,20 @@ mod wide;
 pub use depth_pyramid::DepthPyramid;
 pub use error::Error;
 pub use pass::{
-    Blend, BlendComponent, BlendFactor, BlendOperation, ColorMask, Compare, Cull, DepthBias, DepthState, DrawState,
-    DrawStatistics, FrontFace, Indices, Instanced, Mesh, Pass, PrimitiveTopology, ProvokingVertex, Renderer, Scissor,
-    Space, Statistics, StencilFace, StencilOperation, StencilState, Viewport,
+    Blend, BlendComponent, BlendFactor, BlendOperation, ClearColor, ColorMask, ColorOps, ColorState, Compare, Cull,
+    DepthBias, DepthState, DrawState, DrawStatistics, FrontFace, Indices, Instanced, Load, Mesh, Pass,
+    PrimitiveTopology, ProvokingVertex, Renderer, Scissor, Space, Statistics, StencilFace, StencilOperation,
+    StencilState, Store, Viewport,
 };
 pub use settings::{Settings, Simd, TileSize, UnknownSimd};
-pub use target::{ColorBuffer, DepthBuffer, MAX_SIZE, NO_ID, Target};
+pub use target::{ColorBuffer, DepthBuffer, MAX_COLORS, MAX_SIZE, NO_ID, Target, f16_to_f32, f32_to_f16};
 
 pub use lanes::{Lanes, Packet, Scalar};
-pub use math::{Bool, Mat4, Real, Rgba, Select, Splat, ToLanes, Vec2, Vec3, Vec4};
+pub use math::{Bool, Int, Mat4, Real, Rgba, RgbaI, RgbaU, Select, Splat, ToLanes, Uint, Vec2, Vec3, Vec4};
 pub use pineda_macros::{Varyings, shader};
 #[doc(hidden)]
-pub use shading::{__Layout, __inlined};
+pub use shading::{__Layout, __Row4, __inlined};
 pub use shading::{
-    ClosureFragment, ClosureKind, Frag, Fragment, FragmentKind, Interpolation, MAX_CLIP_DISTANCES, MAX_VARYINGS,
-    Native, Shader, Varyings,
+    ClosureFragment, ClosureKind, DualSource, Frag, Fragment, FragmentKind, Interpolation, MAX_CLIP_DISTANCES,
+    MAX_VARYINGS, Native, Output, OutputKind, Outputs, Shader, Varyings,
 };

@@ -12,6 +12,7 @@
 mod boolean;
 mod color;
 mod exponential;
+mod integer;
 mod matrix;
 mod operand;
 mod real;
@@ -27,6 +28,7 @@ mod edges;
 
 pub use boolean::{Bool, Select};
 pub use color::Rgba;
+pub use integer::{Int, RgbaI, RgbaU, Uint};
 pub use matrix::Mat4;
 pub use operand::{Splat, ToLanes};
 pub use real::Real;

@@ -2,8 +2,8 @@
 
 /// How a fragment's colour (the *source*) meets the target's: colour and alpha apart, each `operation(source * factor, target * factor)`.
 ///
-/// The usual cases are constants. Anything else that WebGPU and Vulkan have is put together from factors and operations; only the factors
-/// that need a second colour from the shader (dual source) are not there.
+/// The usual cases are constants. Anything else that WebGPU and Vulkan have is put together from factors and operations; those factors that take a second
+/// colour from the shader want it to return a [`DualSource`](crate::DualSource).
 ///
 /// ```
 /// use pineda::{Blend, BlendComponent, BlendFactor, DrawState};
@@ -20,7 +20,7 @@
 /// What is computed, to the bit:
 ///
 /// - In f32, in linear light: an sRGB target is decoded before and encoded after. Each product and the sum (or difference) is rounded once.
-/// - On 8-bit targets the source and the constant are clamped to 0 to 1 first, NaN to 0, as Vulkan asks ("Blending"); the result is clamped when it is
+/// - On 8-bit and 16-bit fixed-point targets the sources and the constant are clamped to 0 to 1 first, NaN to 0, as Vulkan asks ("Blending"); the result is clamped when it is
 ///   stored. On float targets nothing is clamped.
 /// - [`BlendFactor::Zero`] leaves its side out: it makes 0 of infinities and NaN, too. A component that takes the source times one and the target
 ///   times zero, added, is the source as it is, with the sign of a zero.
@@ -141,11 +141,19 @@ pub enum BlendFactor {
     ConstantAlpha,
     /// 1 less the alpha of [`Blend::constant`].
     OneMinusConstantAlpha,
+    /// The fragment's [second source](crate::DualSource).
+    Source1,
+    /// 1 less the fragment's second source.
+    OneMinusSource1,
+    /// The alpha of the fragment's second source.
+    Source1Alpha,
+    /// 1 less the alpha of the fragment's second source.
+    OneMinusSource1Alpha,
 }
 
 impl BlendFactor {
     /// Every factor.
-    pub const ALL: [Self; 15] = [
+    pub const ALL: [Self; 19] = [
         Self::Zero,
         Self::One,
         Self::Source,
@@ -161,6 +169,10 @@ impl BlendFactor {
         Self::OneMinusConstant,
         Self::ConstantAlpha,
         Self::OneMinusConstantAlpha,
+        Self::Source1,
+        Self::OneMinusSource1,
+        Self::Source1Alpha,
+        Self::OneMinusSource1Alpha,
     ];
 }
 

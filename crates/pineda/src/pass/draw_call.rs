@@ -5,10 +5,12 @@ use super::{DrawState, Indices};
 use crate::geometry::project::Projection;
 use crate::geometry::raster_space::ScreenVertex;
 use crate::lanes::Scalar;
-use crate::math::{Rgba, Vec4};
+use crate::math::Vec4;
 use crate::shading::packet::{PacketBatch, VaryingLayout};
 use crate::shading::run::{RECORD_HEADER, Source, record_rows};
-use crate::shading::{Closure, ClosureFragment, FragmentKind, MAX_CLIP_DISTANCES, Native, Shader, Varyings, native};
+use crate::shading::{
+    Closure, ClosureFragment, FragmentKind, MAX_CLIP_DISTANCES, Native, OutputLayout, Outputs, Shader, Varyings, native,
+};
 use crate::wide::{Simd, dispatch};
 use fearless_simd::Level;
 use std::borrow::Borrow;
@@ -22,6 +24,7 @@ pub(crate) trait DrawCall: Sync {
     fn instance_count(&self) -> usize;
     fn layout(&self) -> VaryingLayout;
     fn discards(&self) -> bool;
+    fn outputs(&self) -> OutputLayout;
     /// The position of the vertex of that [number](Source).
     fn position(&self, vertex: usize) -> [f32; 4];
     /// Its clip distances; 0 beyond the last.
@@ -105,6 +108,10 @@ impl<Sh: Shader, G: Input<In = Sh::Vertex>> DrawCall for ShaderDraw<'_, Sh, G> {
         <Sh as FragmentKind>::DISCARDS
     }
 
+    fn outputs(&self) -> OutputLayout {
+        OutputLayout::of::<Scalar, Sh::Output<Scalar>>()
+    }
+
     fn position(&self, vertex: usize) -> [f32; 4] {
         array(self.shader.vertex(self.input.fetch_number(vertex).borrow()).0)
     }
@@ -125,9 +132,9 @@ impl<Sh: Shader, G: Input<In = Sh::Vertex>> DrawCall for ShaderDraw<'_, Sh, G> {
 }
 
 /// A draw with closures.
-pub(crate) struct ClosureDraw<'a, G, T: Varyings<Scalar>, V, F> {
+pub(crate) struct ClosureDraw<'a, G, T: Varyings<Scalar>, V, F, O> {
     pub(crate) vertex: V,
-    pub(crate) fragment: Closure<F, T::At<Native>>,
+    pub(crate) fragment: Closure<F, T::At<Native>, O>,
     pub(crate) input: G,
     pub(crate) indices: Indices<'a>,
     pub(crate) state: DrawState,
@@ -150,12 +157,13 @@ impl<In, T, V: Fn(&In) -> (Vec4, T)> VertexStage<In, T> for VertexClosure<'_, V>
     }
 }
 
-impl<G, T, V, F> DrawCall for ClosureDraw<'_, G, T, V, F>
+impl<G, T, V, F, O> DrawCall for ClosureDraw<'_, G, T, V, F, O>
 where
     G: Input,
     T: Varyings<Scalar>,
     V: Fn(&G::In) -> (Vec4, T) + Sync,
-    F: Fn(&mut ClosureFragment<T::At<Native>>) -> Rgba<Native> + Sync,
+    F: Fn(&mut ClosureFragment<T::At<Native>>) -> O + Sync,
+    O: Outputs<Native>,
 {
     fn state(&self) -> &DrawState {
         &self.state
@@ -179,6 +187,10 @@ where
 
     fn discards(&self) -> bool {
         false
+    }
+
+    fn outputs(&self) -> OutputLayout {
+        OutputLayout::of::<Native, O>()
     }
 
     fn position(&self, vertex: usize) -> [f32; 4] {

@@ -2,6 +2,7 @@
 
 pub(crate) mod assembly;
 mod blend;
+mod colors;
 pub(crate) mod draw_call;
 mod input;
 pub(crate) mod plan;
@@ -13,6 +14,7 @@ mod stencil;
 mod validate;
 
 pub use blend::{Blend, BlendComponent, BlendFactor, BlendOperation, ColorMask};
+pub use colors::{ClearColor, ColorOps, ColorState, Load, Store};
 pub use primitives::{Indices, Instanced, PrimitiveTopology, ProvokingVertex};
 pub use render::Renderer;
 pub use state::{Compare, Cull, DepthBias, DepthState, DrawState, FrontFace, Scissor, Space, Viewport};
@@ -20,8 +22,9 @@ pub use statistics::{DrawStatistics, Statistics};
 pub use stencil::{StencilFace, StencilOperation, StencilState};
 
 use crate::lanes::Scalar;
-use crate::math::{Rgba, Vec4};
-use crate::shading::{Closure, ClosureFragment, Native, Shader, Varyings};
+use crate::math::Vec4;
+use crate::shading::{Closure, ClosureFragment, Native, Outputs, Shader, Varyings};
+use crate::target::MAX_COLORS;
 use draw_call::{ClosureDraw, DrawCall, ShaderDraw};
 use input::{Instances, Vertices};
 use std::fmt;
@@ -33,6 +36,15 @@ use std::fmt;
 pub struct Pass<'a> {
     /// The colour that the target starts with, in linear light; `None` keeps what it holds.
     pub clear_color: Option<[f32; 4]>,
+    /// What each of several colour buffers starts with in place of that, and whether it is stored: number 0 is for [`Target::color`](crate::Target::color), the
+    /// others are for [`Target::more_colors`](crate::Target::more_colors).
+    ///
+    /// ```
+    /// use pineda::{Load, NO_ID, Pass};
+    /// let mut pass = Pass::new();
+    /// pass.color_ops[2].load = Load::Clear([NO_ID; 4].into());
+    /// ```
+    pub color_ops: [ColorOps; MAX_COLORS],
     /// The depth that the target starts with, clamped to 0 to 1; `None` keeps what it holds (a target without a depth buffer holds 1).
     pub clear_depth: Option<f32>,
     /// The stencil value that the target starts with; `None` keeps what it holds (a target without a stencil buffer holds 0).
@@ -50,6 +62,7 @@ impl fmt::Debug for Pass<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("Pass")
             .field("clear_color", &self.clear_color)
+            .field("color_ops", &self.color_ops)
             .field("clear_depth", &self.clear_depth)
             .field("clear_stencil", &self.clear_stencil)
             .field("draws", &self.draws.len())
@@ -61,7 +74,13 @@ impl<'a> Pass<'a> {
     /// A pass without draws that clears to transparent black, depth 1 and stencil 0.
     #[must_use]
     pub fn new() -> Self {
-        Self { clear_color: Some([0.0; 4]), clear_depth: Some(1.0), clear_stencil: Some(0), draws: Vec::new() }
+        Self {
+            clear_color: Some([0.0; 4]),
+            color_ops: [ColorOps::default(); MAX_COLORS],
+            clear_depth: Some(1.0),
+            clear_stencil: Some(0),
+            draws: Vec::new(),
+        }
     }
 
     /// Adds a draw. Draws are numbered from 0.
@@ -142,7 +161,7 @@ impl<'a> Pass<'a> {
 
     /// Adds a draw with closures instead of a shader: the short way.
     ///
-    /// The first maps a vertex to its position and what is to be interpolated, the second maps sixteen fragments to their colours, at the
+    /// The first maps a vertex to its position and what is to be interpolated, the second maps sixteen fragments to their colours (or to [other things](Outputs)), at the
     /// SIMD level that every machine of this kind has.
     ///
     /// ```
@@ -162,15 +181,28 @@ impl<'a> Pass<'a> {
     /// assert_eq!(pixels[20 * 64 + 32][3], 255);
     /// # Ok::<(), Error>(())
     /// ```
-    pub fn draw_with<In, T, V, F>(&mut self, mesh: Mesh<'a, In>, state: DrawState, vertex: V, fragment: F) -> &mut Self
+    pub fn draw_with<In, T, V, F, O>(
+        &mut self,
+        mesh: Mesh<'a, In>,
+        state: DrawState,
+        vertex: V,
+        fragment: F,
+    ) -> &mut Self
     where
         In: Sync,
         T: Varyings<Scalar> + 'a,
         V: Fn(&In) -> (Vec4, T) + Sync + 'a,
-        F: Fn(&mut ClosureFragment<T::At<Native>>) -> Rgba<Native> + Sync + 'a,
+        F: Fn(&mut ClosureFragment<T::At<Native>>) -> O + Sync + 'a,
+        O: Outputs<Native> + 'a,
     {
         let (input, fragment) = (Vertices(mesh.vertices), Closure::new(fragment));
-        self.draws.push(Box::new(ClosureDraw::<_, T, V, F> { vertex, fragment, input, indices: mesh.indices, state }));
+        self.draws.push(Box::new(ClosureDraw::<_, T, V, F, O> {
+            vertex,
+            fragment,
+            input,
+            indices: mesh.indices,
+            state,
+        }));
         self
     }
 
@@ -197,7 +229,7 @@ impl<'a> Pass<'a> {
     /// assert_eq!(hits.iter().sum::<u32>(), 100 * 21);
     /// # Ok::<(), Error>(())
     /// ```
-    pub fn draw_instanced_with<In, I, T, V, F>(
+    pub fn draw_instanced_with<In, I, T, V, F, O>(
         &mut self,
         mesh: Mesh<'a, In>,
         instances: &'a [I],
@@ -210,10 +242,17 @@ impl<'a> Pass<'a> {
         I: Copy + Sync,
         T: Varyings<Scalar> + 'a,
         V: Fn(&Instanced<In, I>) -> (Vec4, T) + Sync + 'a,
-        F: Fn(&mut ClosureFragment<T::At<Native>>) -> Rgba<Native> + Sync + 'a,
+        F: Fn(&mut ClosureFragment<T::At<Native>>) -> O + Sync + 'a,
+        O: Outputs<Native> + 'a,
     {
         let (input, fragment) = (Instances { vertices: mesh.vertices, instances }, Closure::new(fragment));
-        self.draws.push(Box::new(ClosureDraw::<_, T, V, F> { vertex, fragment, input, indices: mesh.indices, state }));
+        self.draws.push(Box::new(ClosureDraw::<_, T, V, F, O> {
+            vertex,
+            fragment,
+            input,
+            indices: mesh.indices,
+            state,
+        }));
         self
     }
 }

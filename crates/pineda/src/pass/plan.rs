@@ -7,7 +7,7 @@
 use super::assembly::Assembly;
 use super::draw_call::DrawCall;
 use super::validate::DrawExtent;
-use super::{ColorMask, Compare, DepthState, DrawState, Indices, Pass, Scissor, Viewport};
+use super::{Compare, DepthState, DrawState, Indices, Pass, Scissor, Viewport};
 use crate::geometry::project::Projection;
 use crate::raster::corners::Corners;
 use crate::raster::setup::PixelRect;
@@ -344,7 +344,7 @@ impl<'p> Batch<'p> {
         let viewport = state.viewport.unwrap_or(Viewport::whole(width, height));
         let rect = covered_rect(&viewport, state.scissor, width, height);
         let whole = PixelRect { x0: 0, y0: 0, x1: width as i32, y1: height as i32 };
-        let kind = kind(state, call.discards(), self.runs.len());
+        let kind = kind(state, call.discards(), call.outputs().kinds.len(), self.runs.len());
         let depth = DepthRule::new(state.depth.compare, &viewport);
         let segment =
             Segment { kind, depth, draw: self.counts.then_some(draw), rect: Some(rect).filter(|&rect| rect != whole) };
@@ -382,15 +382,18 @@ impl<'p> Batch<'p> {
 }
 
 /// How run `run` becomes pixels.
-fn kind(state: &DrawState, discards: bool, run: usize) -> SegmentKind {
+fn kind(state: &DrawState, discards: bool, outputs: usize, run: usize) -> SegmentKind {
     let DepthState { compare, write } = state.depth;
     // Only what leaves its depth behind may wait: else the visibility buffer would not know the depth of what it shows.
     let leaves_depth = write || compare == Compare::Equal;
-    match state.color_mask {
-        _ if state.stencil.is_some() => SegmentKind::Ordered { run },
-        ColorMask::NONE if leaves_depth && !discards => SegmentKind::DepthOnly,
-        ColorMask::ALL if leaves_depth && !discards && state.blend.replaces() => SegmentKind::Deferred,
-        _ => SegmentKind::Ordered { run },
+    if state.stencil.is_some() || discards || !leaves_depth {
+        SegmentKind::Ordered { run }
+    } else if state.writes_no_color(outputs) {
+        SegmentKind::DepthOnly
+    } else if state.replaces_colors(outputs) {
+        SegmentKind::Deferred
+    } else {
+        SegmentKind::Ordered { run }
     }
 }
 

@@ -1,6 +1,7 @@
 //! Executing a pass.
 
 use super::assembly::Assembly;
+use super::colors::{Store, check};
 use super::draw_call::VertexJob;
 use super::plan::{Batch, Geometry, Plan, Run, plan};
 use super::validate::{DrawExtent, validate};
@@ -11,6 +12,7 @@ use crate::raster::bins::{Share, TileGrid};
 use crate::raster::depth_bias::Bias;
 use crate::raster::setup::{SetupState, setup};
 use crate::shading::run::RunView;
+use crate::target::ColorBuffer;
 use crate::target::bands::Bands;
 use crate::target::depth::{DepthBuffer, DepthFormat, loaded_depth};
 use crate::target::format::ColorFormat;
@@ -108,12 +110,13 @@ impl Renderer {
     ) -> Result<Statistics, Error> {
         target.validate()?;
         let extents = validate(pass, self.level, self.threads)?;
+        check(pass, target)?;
         let mut others = plan(pass, &extents, target.width, target.height, self.settings.memory, draws.is_some());
         let first = others.next().unwrap_or_default();
         let flushes = self.reserve(&first, others.clone(), target, uses_stencil(pass))?;
         let grid = TileGrid::new(target.width, target.height, self.settings.tile.log2());
         let (mut depth, mut stencil) = (std::mem::take(&mut self.depth), std::mem::take(&mut self.stencil));
-        let mut target = with_own(target, &mut depth, &mut stencil, flushes);
+        let mut target = with_own(pass, target, &mut depth, &mut stencil, flushes);
         let mut statistics = Statistics::default();
         for (flush, batch) in std::iter::once(first).chain(others).enumerate() {
             self.assemble(pass, &extents, &batch);
@@ -295,7 +298,11 @@ impl Renderer {
         let runs: Vec<RunView<'_>> = batch.runs.iter().map(view).collect();
         let (width, height) = (target.width, target.height);
         let wants = Wants {
-            color: ColorFormat::of(target),
+            color: target.color.format(),
+            more_colors: std::array::from_fn(|k| {
+                target.color_buffer(k + 1).map_or(ColorFormat::None, ColorBuffer::format)
+            }),
+            more_count: target.more_colors.len(),
             depth: !target.depth.is_none(),
             stencil: target.stencil.is_some() || uses_stencil(pass),
             ids: target.triangle_ids.is_some()
@@ -306,6 +313,10 @@ impl Renderer {
         };
         let depth_format = target.depth.format();
         let clear_depth = pass.clear_depth.map(|z| depth_format.rounded(f32::from_bits(loaded_depth(z) as u32)));
+        let colors = std::array::from_fn(|k| {
+            let buffer = target.color_buffer(k).filter(|_| is_first)?;
+            pass.start_of(k, buffer.format())
+        });
         let painting = Painting {
             level: self.level,
             grid,
@@ -317,7 +328,7 @@ impl Renderer {
             shares: &self.shares,
             bands: &Bands::new(target, 1 << grid.log2),
             start: Start {
-                color: pass.clear_color.filter(|_| is_first),
+                colors,
                 depth: clear_depth.filter(|_| is_first),
                 stencil: pass.clear_stencil.filter(|_| is_first),
                 is_first,
@@ -370,14 +381,26 @@ fn uses_stencil(pass: &Pass<'_>) -> bool {
     pass.draws.iter().any(|call| call.state().stencil.is_some())
 }
 
-/// The target, with a depth buffer of ours if it has none and there is more than one flush; the same for the stencil buffer, if that is used.
-fn with_own<'a>(target: &'a mut Target<'_>, depth: &'a mut [f32], stencil: &'a mut [u8], flushes: usize) -> Target<'a> {
+/// The target, without the colour buffers that are not stored, and with a depth buffer of ours if it has none and there is more than one flush; the same for the stencil buffer, if that is used.
+fn with_own<'a>(
+    pass: &Pass<'_>,
+    target: &'a mut Target<'_>,
+    depth: &'a mut [f32],
+    stencil: &'a mut [u8],
+    flushes: usize,
+) -> Target<'a> {
     let pixels = target.width as usize * target.height as usize;
+    // Nothing that is drawn depends on what a colour buffer holds, but for the buffer itself.
+    let stored = |k: usize, color: &'a mut ColorBuffer<'_>| match pass.color_ops[k].store {
+        Store::Keep => color.reborrow(),
+        Store::Discard => ColorBuffer::None,
+    };
     let own = (flushes > 1 && target.depth.is_none()).then(|| &mut depth[..pixels]);
     Target {
         width: target.width,
         height: target.height,
-        color: target.color.reborrow(),
+        color: stored(0, &mut target.color),
+        more_colors: (1..).zip(&mut target.more_colors).map(|(k, color)| stored(k, color)).collect(),
         depth: own.map_or(target.depth.reborrow(), DepthBuffer::D32F),
         stencil: target.stencil.as_deref_mut().or(stencil.get_mut(..pixels)),
         triangle_ids: target.triangle_ids.as_deref_mut(),

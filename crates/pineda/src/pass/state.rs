@@ -1,6 +1,7 @@
 //! The fixed-function settings of a draw: plain structs with defaults.
 
-use super::{Blend, ColorMask, PrimitiveTopology, ProvokingVertex, StencilState};
+use super::{Blend, ColorMask, ColorState, PrimitiveTopology, ProvokingVertex, StencilState};
+use crate::target::MAX_COLORS;
 
 /// Everything about a draw that is not its shader or its mesh.
 ///
@@ -62,6 +63,16 @@ pub struct DrawState {
     pub blend: Blend,
     /// Which channels of the target are written.
     pub color_mask: ColorMask,
+    /// For some of several colour buffers, what goes in place of `blend` and `color_mask`: number 0 is for [`Target::color`](crate::Target::color), the others
+    /// are for [`Target::more_colors`](crate::Target::more_colors).
+    ///
+    /// ```
+    /// use pineda::{Blend, ColorState, DrawState};
+    /// // Blends all buffers but the third, which holds ids.
+    /// let mut state = DrawState { blend: Blend::ALPHA, ..DrawState::default() };
+    /// state.colors[2] = Some(ColorState::default());
+    /// ```
+    pub colors: [Option<ColorState>; MAX_COLORS],
     /// The part of the target that is drawn to; all of it when `None`.
     pub viewport: Option<Viewport>,
     /// Nothing is drawn outside of it; no bounds but the viewport's when `None`.
@@ -83,6 +94,7 @@ impl DrawState {
         stencil: None,
         blend: Blend::OPAQUE,
         color_mask: ColorMask::ALL,
+        colors: [None; MAX_COLORS],
         viewport: None,
         scissor: None,
     };

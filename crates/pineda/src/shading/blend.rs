@@ -6,7 +6,7 @@ use crate::pass::{Blend, BlendComponent, BlendFactor, BlendOperation};
 use crate::target::format::{Channels, clamp_unorm};
 use crate::wide::{Simd, f32x16};
 
-/// The colour to be stored, before clamping: `source` and `target` both decoded, in linear light. `is_unorm` says that the target holds
+/// The colour to be stored, before clamping: `source`, the `second` source and `target` decoded, in linear light. `is_unorm` says that the target holds
 /// numbers from 0 to 1.
 #[inline(always)]
 pub(crate) fn blend<S: Simd>(
@@ -14,14 +14,16 @@ pub(crate) fn blend<S: Simd>(
     blend: &Blend,
     is_unorm: bool,
     source: Channels<S>,
+    second: Channels<S>,
     target: Channels<S>,
 ) -> Channels<S> {
-    let mut operands = Operands { source, target, constant: [f32x16::splat(s, 0.0); 4] };
+    let mut operands = Operands { source, second, target, constant: [f32x16::splat(s, 0.0); 4] };
     let mut k = 0;
     while k < 4 {
         operands.constant[k] = f32x16::splat(s, blend.constant[k]);
         if is_unorm {
             operands.source[k] = clamp_unorm(s, operands.source[k]);
+            operands.second[k] = clamp_unorm(s, operands.second[k]);
             operands.constant[k] = clamp_unorm(s, operands.constant[k]);
         }
         k += 1;
@@ -40,6 +42,7 @@ pub(crate) fn blend<S: Simd>(
 #[derive(Clone, Copy)]
 struct Operands<S: Simd> {
     source: Channels<S>,
+    second: Channels<S>,
     target: Channels<S>,
     constant: Channels<S>,
 }
@@ -71,7 +74,7 @@ impl<S: Simd> Operands<S> {
     /// A value times a factor.
     #[inline(always)]
     fn times(&self, s: S, value: f32x16<S>, factor: BlendFactor, k: usize) -> f32x16<S> {
-        let Self { source, target, constant } = self;
+        let Self { source, second, target, constant } = self;
         let one = f32x16::splat(s, 1.0);
         value
             * match factor {
@@ -97,6 +100,10 @@ impl<S: Simd> Operands<S> {
                 BlendFactor::OneMinusConstant => one - constant[k],
                 BlendFactor::ConstantAlpha => constant[3],
                 BlendFactor::OneMinusConstantAlpha => one - constant[3],
+                BlendFactor::Source1 => second[k],
+                BlendFactor::OneMinusSource1 => one - second[k],
+                BlendFactor::Source1Alpha => second[3],
+                BlendFactor::OneMinusSource1Alpha => one - second[3],
             }
     }
 }

@@ -209,6 +209,7 @@ mod tests {
     impl Shader for Anything {
         type Vertex = ();
         type Varyings<M: Lanes> = Vec2<M>;
+        type Output<M: Lanes> = crate::math::Rgba<M>;
         const DERIVATIVES: bool = true;
         const DISCARDS: bool = true;
         const ADD_THE_ATTRIBUTE_shader_TO_THIS_IMPL: () = ();

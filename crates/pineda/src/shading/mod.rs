@@ -129,6 +129,15 @@
 //! `#[flat]` above a field takes the [provoking vertex](crate::ProvokingVertex)'s value, `#[noperspective]` interpolates on the screen.
 //! [`MAX_VARYINGS`] numbers are the limit.
 //!
+//! # More than one colour, and integers
+//!
+//! A target may have up to eight colour buffers, and a fragment stage returns a value for each: a tuple, an array, or a struct that
+//! [`outputs!`](crate::outputs) declares. `-> (Rgba<L>, Vec3<L>, Uint<L>)` is a colour, a normal and a number; [`Outputs`] tells all of it. Closures
+//! return the same.
+//!
+//! [`Uint<L>`](crate::Uint) and [`Int<L>`](crate::Int) are whole numbers: from a uniform (`f.splat(self.id)`), from a varying (they are flat of themselves),
+//! or from a number (`f.x().to_uint()`). Buffers of integers take them bit by bit.
+//!
 //! # Closures, the short way
 //!
 //! [`Pass::draw_with`](crate::Pass::draw_with) takes two closures instead of a shader. They run at the level that all
@@ -199,6 +208,7 @@
 //! ```
 
 mod fragment;
+mod outputs;
 mod shader;
 mod stage;
 mod varyings;
@@ -220,6 +230,10 @@ pub(crate) mod weights;
 
 pub(crate) use fragment::FragParts;
 pub use fragment::{Frag, Fragment, FragmentKind};
+pub(crate) use outputs::OutputLayout;
+#[doc(hidden)]
+pub use outputs::Row4 as __Row4;
+pub use outputs::{DualSource, Output, OutputKind, Outputs};
 pub use shader::Shader;
 pub(crate) use stage::{Closure, FragmentStage, native};
 pub use stage::{ClosureFragment, ClosureKind, Native};

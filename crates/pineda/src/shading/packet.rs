@@ -3,7 +3,7 @@
 //! Only the fragment stage is compiled for each shader; so what it works on lies in memory, a batch of packets at a time.
 
 use super::distinct::Fragments;
-use super::{Frag, FragParts, FragmentStage, Interpolation, Varyings};
+use super::{__Row4 as Row4, Frag, FragParts, FragmentStage, Interpolation, OutputLayout, Outputs, Varyings};
 use crate::lanes::Packet;
 use crate::math::{Bool, Real};
 use crate::raster::triangle_id::{CLIPPED_CLOCKWISE, ORDER_BITS};
@@ -46,7 +46,8 @@ pub(crate) struct PacketRows<'a> {
 #[derive(Clone, Copy, Debug, Default)]
 #[repr(C, align(64))]
 pub(crate) struct PacketState {
-    pub(crate) color: [[f32; 16]; 4],
+    /// What is for the first colour buffer; of integers, the bits.
+    pub(crate) color: Row4,
     /// Depths, as bits.
     pub(crate) depth: [i32; 16],
     pub(crate) ids: [u32; 16],
@@ -73,6 +74,9 @@ pub(crate) struct PacketBatch {
     count: usize,
     rows: Vec<[f32; 16]>,
     rows_each: usize,
+    /// What the packets' fragments have beside a colour: for further colour buffers, or to be blended with.
+    more: Vec<Row4>,
+    more_each: usize,
     derivatives: bool,
     front_is_clockwise: bool,
 }
@@ -84,6 +88,8 @@ impl PacketBatch {
             count: 0,
             rows: Vec::new(),
             rows_each: 0,
+            more: Vec::new(),
+            more_each: 0,
             derivatives: false,
             front_is_clockwise: false,
         }
@@ -129,11 +135,31 @@ impl PacketBatch {
         (&self.packets[k], PacketRows { here, dx, dy })
     }
 
+    /// What the fragments of packet `k` have beside a colour.
+    #[inline(always)]
+    pub(crate) fn more(&self, k: usize) -> &[Row4] {
+        &self.more[k * self.more_each..(k + 1) * self.more_each]
+    }
+
+    /// Makes room for what comes beside the first colour.
+    #[inline(never)]
+    fn reserve_more(&mut self) {
+        let rows = BATCH * self.more_each;
+        if self.more.len() < rows {
+            self.more.resize(rows, [[0.0; 16]; 4]);
+        }
+    }
+
     /// Runs a fragment stage over all packets: the only part that is compiled for each shader.
     #[inline(always)]
     pub(crate) fn run<S: Simd, St: FragmentStage<Packet<S>>>(&mut self, s: S, stage: &St) {
         if self.count == 0 {
             return;
+        }
+        let more_each = const { OutputLayout::of::<Packet<S>, St::Out>().more() };
+        self.more_each = more_each;
+        if more_each > 0 {
+            self.reserve_more();
         }
         let lanes = BlockLanes::new(s);
         let length = 16 * <St::V as Varyings<Packet<S>>>::LEN;
@@ -172,11 +198,8 @@ impl PacketBatch {
             parts.z = Real(i32x16::simd_from(s, packet.depth).bitcast());
             parts.front_facing = Bool(if self.front_is_clockwise { clockwise } else { !clockwise });
             parts.alive = Bool(mask32x16::from_bitmask(s, u64::from(packet.alive)));
-            let color = stage.run(&mut fragment);
-            color.r.0.store_slice(&mut packet.color[0]);
-            color.g.0.store_slice(&mut packet.color[1]);
-            color.b.0.store_slice(&mut packet.color[2]);
-            color.a.0.store_slice(&mut packet.color[3]);
+            let more = if more_each > 0 { &mut self.more[k * more_each..(k + 1) * more_each] } else { &mut [] };
+            stage.run(&mut fragment).write(&mut packet.color, more);
             if St::DISCARDS {
                 packet.alive = fragment.alive().0.to_bitmask() as u32;
             }

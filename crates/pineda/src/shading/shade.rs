@@ -1,15 +1,16 @@
 //! From covered or visible samples to colours in the tile: interpolation, the user's fragment stage, blending.
 
+use super::__Row4 as Row4;
 use super::blend::blend;
 use super::cached::TriangleCache;
 use super::distinct::Distinct;
 use super::interpolate::interpolate;
 use super::large::Last;
-use super::packet::{BATCH, PacketBatch, PacketState};
+use super::packet::{BATCH, PacketBatch};
 use super::run::RunView;
 use super::stencil::Tests;
 use crate::pass::draw_call::DrawCall;
-use crate::pass::{ColorMask, DrawStatistics};
+use crate::pass::{ColorMask, ColorState, DrawStatistics};
 use crate::raster::triangle_id::TriangleId;
 use crate::target::format::{Channels, ColorFormat, TileColor};
 use crate::tile::Tile;
@@ -47,6 +48,8 @@ pub(crate) struct Shading<'a> {
     pub(crate) view: &'a TileView,
     pub(crate) tile: &'a mut Tile,
     pub(crate) color: &'a mut TileColor,
+    /// Those of the further colour buffers.
+    pub(crate) more_colors: &'a mut [TileColor],
     pub(crate) batch: &'a mut PacketBatch,
     pub(crate) cache: &'a mut TriangleCache,
     /// Where fragments and samples of ordered draws are counted, if they are.
@@ -90,7 +93,15 @@ pub(crate) fn shade_visible<S: Simd>(s: S, shading: &mut Shading<'_>, packets: &
         while i < shading.batch.len() {
             let packet = &shading.batch.packets()[i];
             let alive = mask32x16::from_bitmask(s, u64::from(packet.alive));
-            shading.color.store(s, packet.block as usize, alive, channels(s, packet), ColorMask::ALL);
+            let block = packet.block as usize;
+            shading.color.store(s, block, alive, channels(s, &packet.color), ColorMask::ALL);
+            let mut k = 0;
+            while k < shading.more_colors.len() {
+                if let Some(color) = shading.batch.more(i).get(k) {
+                    shading.more_colors[k].store(s, block, alive, channels(s, color), ColorMask::ALL);
+                }
+                k += 1;
+            }
             i += 1;
         }
         first = end;
@@ -107,7 +118,8 @@ pub(crate) fn shade_in_order<S: Simd>(s: S, shading: &mut Shading<'_>, packets: 
     let call = shading.call;
     let (state, discards) = (call.state(), call.discards());
     let tests = Tests { state, front_is_clockwise: shading.run.front_is_clockwise };
-    let is_shaded = discards || (state.color_mask != ColorMask::NONE && shading.color.format != ColorFormat::None);
+    let has_color = shading.color.format != ColorFormat::None || !shading.more_colors.is_empty();
+    let is_shaded = discards || (has_color && !state.writes_no_color(call.outputs().kinds.len()));
     let mut first = 0;
     while first < packets.len() {
         shading.batch.start(&layout, shading.run.front_is_clockwise);
@@ -167,7 +179,6 @@ fn contains(batch: &PacketBatch, block: u32) -> bool {
 fn merge<S: Simd>(s: S, shading: &mut Shading<'_>) {
     let (state, discards) = (shading.call.state(), shading.call.discards());
     let tests = Tests { state, front_is_clockwise: shading.run.front_is_clockwise };
-    let (replaces, is_unorm) = (state.blend.replaces(), shading.color.format.is_unorm());
     let mut i = 0;
     while i < shading.batch.len() {
         let packet = &shading.batch.packets()[i];
@@ -181,11 +192,17 @@ fn merge<S: Simd>(s: S, shading: &mut Shading<'_>) {
         }
         keep(s, shading.tile, state.depth.write, block, alive, &packet.depth, &packet.ids);
         let passed = alive.to_bitmask() as u32;
-        let mut color = channels(s, packet);
-        if !replaces {
-            color = blend(s, &state.blend, is_unorm, color, shading.color.load(s, block));
+        let more = shading.batch.more(i);
+        // Only a target with one colour buffer is blended with a second source.
+        let second = if more.is_empty() { &packet.color } else { &more[0] };
+        merge_color(s, shading.color, block, alive, &packet.color, second, &state.color(0));
+        let mut k = 0;
+        while k < shading.more_colors.len() {
+            if let Some(color) = more.get(k) {
+                merge_color(s, &mut shading.more_colors[k], block, alive, color, color, &state.color(k + 1));
+            }
+            k += 1;
         }
-        shading.color.store(s, block, alive, color, state.color_mask);
         shading.count(block, 0, passed);
         i += 1;
     }
@@ -211,8 +228,26 @@ fn keep<S: Simd>(
     }
 }
 
+/// Brings one colour into the tile's.
 #[inline(always)]
-fn channels<S: Simd>(s: S, packet: &PacketState) -> Channels<S> {
-    let [r, g, b, a] = packet.color;
+fn merge_color<S: Simd>(
+    s: S,
+    tile: &mut TileColor,
+    block: usize,
+    alive: mask32x16<S>,
+    color: &Row4,
+    second: &Row4,
+    state: &ColorState,
+) {
+    let mut color = channels(s, color);
+    if !state.blend.replaces() {
+        color = blend(s, &state.blend, tile.format.is_unorm(), color, channels(s, second), tile.load(s, block));
+    }
+    tile.store(s, block, alive, color, state.mask);
+}
+
+#[inline(always)]
+fn channels<S: Simd>(s: S, color: &Row4) -> Channels<S> {
+    let [r, g, b, a] = *color;
     [f32x16::simd_from(s, r), f32x16::simd_from(s, g), f32x16::simd_from(s, b), f32x16::simd_from(s, a)]
 }

@@ -1,8 +1,8 @@
 //! The trait that a shader implements.
 
-use super::{Fragment, Varyings};
+use super::{Fragment, Outputs, Varyings};
 use crate::lanes::{Lanes, Scalar};
-use crate::math::{Rgba, Vec4};
+use crate::math::Vec4;
 
 /// A vertex stage and a fragment stage. The fields of the implementing type are its uniforms.
 ///
@@ -18,6 +18,10 @@ pub trait Shader: Sized + Sync {
 
     /// What the vertex stage hands to the fragment stage; see [`varyings!`](crate::varyings).
     type Varyings<L: Lanes>: Varyings<L>;
+
+    /// What the fragment stage returns: an [`Rgba<L>`](crate::Rgba), or whatever else goes to the target's colour buffers; see [`Outputs`]. `#[shader]` writes this
+    /// line, from what the function `fragment` says that it returns.
+    type Output<L: Lanes>: Outputs<L>;
 
     /// Whether the fragment stage reads [`f.dx()`](super::Frag::dx) or [`f.dy()`](super::Frag::dy). Derivatives are
     /// only computed on request, because they cost up to 30 % of a cheap shader's time.
@@ -81,7 +85,7 @@ pub trait Shader: Sized + Sync {
 
     /// The fragments of one packet: their colours. Some of the lanes may lie outside the triangle; their results are
     /// thrown away.
-    fn fragment<L: Lanes>(&self, f: &mut Fragment<L, Self>) -> Rgba<L>;
+    fn fragment<L: Lanes>(&self, f: &mut Fragment<L, Self>) -> Self::Output<L>;
 
     /// Written by `#[shader]`, which also makes the stages inline: so that forgetting the attribute is an error here
     /// rather than a picture drawn ten times slower.

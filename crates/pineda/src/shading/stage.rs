@@ -1,8 +1,7 @@
 //! A fragment stage at one width: any shader at any width, or a closure at the native one.
 
-use super::{Frag, FragmentKind, Shader, Varyings};
+use super::{Frag, FragmentKind, Outputs, Shader, Varyings};
 use crate::lanes::{Lanes, Packet};
-use crate::math::Rgba;
 use core::marker::PhantomData;
 use fearless_simd::Level;
 
@@ -12,19 +11,22 @@ pub(crate) trait FragmentStage<L: Lanes> {
     type V: Varyings<L>;
     /// What the stage may do.
     type Kind: FragmentKind;
+    /// What the stage returns.
+    type Out: Outputs<L>;
     /// Whether lanes may be discarded.
     const DISCARDS: bool = <Self::Kind as FragmentKind>::DISCARDS;
     /// Whether `dx` and `dy` must be filled in.
     const DERIVATIVES: bool = <Self::Kind as FragmentKind>::DERIVATIVES;
     /// The colours of the fragments in `f`.
-    fn run(&self, f: &mut Frag<L, Self::V, Self::Kind>) -> Rgba<L>;
+    fn run(&self, f: &mut Frag<L, Self::V, Self::Kind>) -> Self::Out;
 }
 
 impl<L: Lanes, Sh: Shader> FragmentStage<L> for Sh {
     type V = Sh::Varyings<L>;
     type Kind = Sh;
+    type Out = Sh::Output<L>;
     #[inline(always)]
-    fn run(&self, f: &mut Frag<L, Self::V, Sh>) -> Rgba<L> {
+    fn run(&self, f: &mut Frag<L, Self::V, Sh>) -> Sh::Output<L> {
         self.fragment(f)
     }
 }
@@ -42,22 +44,25 @@ impl FragmentKind for ClosureKind {
 pub type ClosureFragment<V> = Frag<Native, V, ClosureKind>;
 
 /// A closure as a fragment stage. A closure is not generic, so it has one width only: [`Native`].
-pub(crate) struct Closure<F, V> {
+pub(crate) struct Closure<F, V, O> {
     fragment: F,
-    varyings: PhantomData<fn() -> V>,
+    varyings: PhantomData<fn(V) -> O>,
 }
 
-impl<F: Fn(&mut ClosureFragment<V>) -> Rgba<Native>, V: Varyings<Native>> Closure<F, V> {
+impl<F: Fn(&mut ClosureFragment<V>) -> O, V: Varyings<Native>, O: Outputs<Native>> Closure<F, V, O> {
     pub(crate) fn new(fragment: F) -> Self {
         Self { fragment, varyings: PhantomData }
     }
 }
 
-impl<F: Fn(&mut ClosureFragment<V>) -> Rgba<Native>, V: Varyings<Native>> FragmentStage<Native> for Closure<F, V> {
+impl<F: Fn(&mut ClosureFragment<V>) -> O, V: Varyings<Native>, O: Outputs<Native>> FragmentStage<Native>
+    for Closure<F, V, O>
+{
     type V = V;
     type Kind = ClosureKind;
+    type Out = O;
     #[inline(always)]
-    fn run(&self, f: &mut ClosureFragment<V>) -> Rgba<Native> {
+    fn run(&self, f: &mut ClosureFragment<V>) -> O {
         (self.fragment)(f)
     }
 }

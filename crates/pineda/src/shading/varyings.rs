@@ -43,7 +43,7 @@ pub enum Interpolation {
     message = "`{Self}` is not a set of varyings at this width",
     label = "cannot go from the vertex stage to the fragment stage",
     note = "declare the struct with `varyings! {{ struct Name {{ normal: Vec3, uv: Vec2 }} }}`",
-    note = "its fields may be Real, Vec2, Vec3, Vec4, Rgba or other varyings; plain `f32` and `[f32; 3]` may not"
+    note = "its fields may be Real, Vec2, Vec3, Vec4, Rgba, Int, Uint or other varyings; plain `f32` and `[f32; 3]` may not"
 )]
 pub trait Varyings<L: Lanes>: Copy {
     /// The same varyings at another width.
@@ -102,8 +102,8 @@ macro_rules! vector_varyings {
 
 vector_varyings!(Vec2 2: x 0 y 1; Vec3 3: x 0 y 1 z 2; Vec4 4: x 0 y 1 z 2 w 3; Rgba 4: r 0 g 1 b 2 a 3);
 
-/// Declares the varyings of a shader: a struct whose fields are `Real`, `Vec2`, `Vec3`, `Vec4` or `Rgba`, written
-/// without the width, and with it added behind the scenes.
+/// Declares the varyings of a shader: a struct whose fields are `Real`, `Vec2`, `Vec3`, `Vec4`, `Rgba`, `Int` or `Uint`,
+/// written without the width, and with it added behind the scenes.
 ///
 /// `varyings! { pub struct Lit { pub normal: Vec3 } }` declares `Lit<L: Lanes = Scalar>` with the field
 /// `normal: Vec3<L>`, and derives [`Varyings`] for it. In the vertex stage it is `Lit`, in the fragment stage
@@ -141,7 +141,8 @@ impl Layout {
     /// No fields yet.
     pub const EMPTY: Self = Self { interpolation: [Interpolation::Perspective; MAX_VARYINGS], len: 0 };
 
-    /// The row with a field's numbers at its end; `all` is the field's attribute, if it has one.
+    /// The row with a field's numbers at its end; `all` is the field's attribute, if it has one. What is flat of itself stays flat: integers
+    /// cannot be interpolated.
     pub const fn with(mut self, field: &[Interpolation], all: Option<Interpolation>) -> Self {
         assert!(
             self.len + field.len() <= MAX_VARYINGS,
@@ -149,9 +150,9 @@ impl Layout {
         );
         let mut i = 0;
         while i < field.len() {
-            self.interpolation[self.len + i] = match all {
-                Some(interpolation) => interpolation,
-                None => field[i],
+            self.interpolation[self.len + i] = match (field[i], all) {
+                (Interpolation::Flat, _) | (_, None) => field[i],
+                (_, Some(interpolation)) => interpolation,
             };
             i += 1;
         }

@@ -9,6 +9,7 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 #[derive(Debug)]
 pub(crate) struct Band<'a> {
     pub(crate) color: ColorBuffer<'a>,
+    pub(crate) more_colors: Vec<ColorBuffer<'a>>,
     pub(crate) depth: DepthBuffer<'a>,
     pub(crate) stencil: Option<&'a mut [u8]>,
     pub(crate) triangle_ids: Option<&'a mut [u32]>,
@@ -27,7 +28,8 @@ impl<'a> Bands<'a> {
     pub(crate) fn new(target: &'a mut Target<'_>, side: usize) -> Self {
         let rows = side * target.width as usize;
         let count = (target.height as usize).div_ceil(side);
-        let mut color = color_chunks(&mut target.color, rows);
+        let mut color = target.color.chunks(rows);
+        let mut more_colors: Vec<_> = target.more_colors.iter_mut().map(|color| color.chunks(rows)).collect();
         let mut depth = depth_chunks(&mut target.depth, rows);
         let mut stencil = chunks(&mut target.stencil, rows);
         let mut triangle_ids = chunks(&mut target.triangle_ids, rows);
@@ -38,6 +40,7 @@ impl<'a> Bands<'a> {
         let band = |_| {
             Mutex::new(Band {
                 color: color.next().unwrap_or_default(),
+                more_colors: more_colors.iter_mut().map(|color| color.next().unwrap_or_default()).collect(),
                 depth: depth.next().unwrap_or_default(),
                 stencil: stencil.next(),
                 triangle_ids: triangle_ids.next(),
@@ -58,15 +61,6 @@ impl<'a> Bands<'a> {
 
 fn chunks<'a, T>(buffer: &'a mut Option<&mut [T]>, rows: usize) -> impl Iterator<Item = &'a mut [T]> {
     buffer.as_deref_mut().into_iter().flat_map(move |buffer| buffer.chunks_mut(rows))
-}
-
-fn color_chunks<'a>(color: &'a mut ColorBuffer<'_>, rows: usize) -> Box<dyn Iterator<Item = ColorBuffer<'a>> + 'a> {
-    match color {
-        ColorBuffer::None => Box::new(std::iter::empty()),
-        ColorBuffer::Rgba8(pixels) => Box::new(pixels.chunks_mut(rows).map(ColorBuffer::Rgba8)),
-        ColorBuffer::Rgba8Srgb(pixels) => Box::new(pixels.chunks_mut(rows).map(ColorBuffer::Rgba8Srgb)),
-        ColorBuffer::Rgba32F(pixels) => Box::new(pixels.chunks_mut(rows).map(ColorBuffer::Rgba32F)),
-    }
 }
 
 fn depth_chunks<'a>(depth: &'a mut DepthBuffer<'_>, rows: usize) -> Box<dyn Iterator<Item = DepthBuffer<'a>> + 'a> {

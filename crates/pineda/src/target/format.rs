@@ -1,93 +1,125 @@
 //! Colours in a tile: stored as the target stores them, so that a pass split in two gives the same bits.
 
+use super::half::{f32_to_f16, from_half, to_half};
 use super::srgb::SRGB;
-use super::{ColorBuffer, Target};
 use crate::pass::ColorMask;
+use crate::shading::OutputKind;
 use crate::wide::{Simd, f32x16, i32x16, mask32x16, u32x16};
 
-/// A format of [`ColorBuffer`].
+/// A format of [`ColorBuffer`](super::ColorBuffer): how a channel is stored, and how many there are: 1, 2 or 4.
+///
+/// In a tile a pixel is one, two or four words, as they are stored: the channels of the 8-bit formats in the bytes of one word, red in the lowest; those
+/// of the 16-bit formats in the halves of one or two; of the others, a word for each channel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum ColorFormat {
     None,
-    Rgba8,
-    Rgba8Srgb,
-    Rgba32F,
+    Unorm8(u8),
+    Srgb8(u8),
+    Unorm16(u8),
+    Half(u8),
+    Float(u8),
+    Uint(u8),
+    Int(u8),
 }
 
 impl ColorFormat {
-    pub(crate) fn of(target: &Target<'_>) -> Self {
-        match target.color {
-            ColorBuffer::None => Self::None,
-            ColorBuffer::Rgba8(_) => Self::Rgba8,
-            ColorBuffer::Rgba8Srgb(_) => Self::Rgba8Srgb,
-            ColorBuffer::Rgba32F(_) => Self::Rgba32F,
+    /// Whether it holds numbers from 0 to 1 and no others.
+    pub(crate) fn is_unorm(self) -> bool {
+        matches!(self, Self::Unorm8(_) | Self::Srgb8(_) | Self::Unorm16(_))
+    }
+
+    /// What numbers it takes.
+    pub(crate) fn kind(self) -> OutputKind {
+        match self {
+            Self::Uint(_) => OutputKind::Uint,
+            Self::Int(_) => OutputKind::Int,
+            _ => OutputKind::Float,
         }
     }
 
-    /// Whether it holds numbers from 0 to 1 and no others.
-    pub(crate) fn is_unorm(self) -> bool {
-        matches!(self, Self::Rgba8 | Self::Rgba8Srgb)
+    /// Words of a pixel in a tile.
+    #[inline(always)]
+    pub(crate) fn words(self) -> usize {
+        match self {
+            Self::None => 0,
+            Self::Unorm8(_) | Self::Srgb8(_) => 1,
+            Self::Unorm16(channels) | Self::Half(channels) => channels.div_ceil(2).into(),
+            Self::Float(channels) | Self::Uint(channels) | Self::Int(channels) => channels.into(),
+        }
     }
 
-    /// A colour's codes in an 8-bit format, red in the low byte.
-    pub(crate) fn packed(self, [r, g, b, a]: [f32; 4]) -> u32 {
-        let code = |c: f32| if self == Self::Rgba8Srgb { SRGB.encode(c) } else { unorm8(c) };
-        u32::from_le_bytes([code(r), code(g), code(b), unorm8(a)])
+    /// The words of a colour; those that a pixel does not have are 0.
+    pub(crate) fn encoded(self, color: [f32; 4]) -> [u32; 4] {
+        let only = |channels: u8, codes: [u32; 4]| {
+            let mut codes = codes;
+            codes[channels.into()..].fill(0);
+            codes
+        };
+        let [r, g, b, a] = color;
+        match self {
+            Self::Unorm8(channels) => bytes(only(channels, color.map(|c| unorm8(c).into()))),
+            Self::Srgb8(channels) => {
+                let [r, g, b] = [r, g, b].map(|c| SRGB.encode(c).into());
+                bytes(only(channels, [r, g, b, unorm8(a).into()]))
+            }
+            Self::Unorm16(channels) => halves(only(channels, color.map(|c| unorm16(c).into()))),
+            Self::Half(channels) => halves(only(channels, color.map(|c| f32_to_f16(c).into()))),
+            Self::Float(channels) => only(channels, color.map(f32::to_bits)),
+            Self::None | Self::Uint(_) | Self::Int(_) => [0; 4],
+        }
     }
+}
+
+fn bytes([r, g, b, a]: [u32; 4]) -> [u32; 4] {
+    [r | g << 8 | b << 16 | a << 24, 0, 0, 0]
+}
+
+fn halves([r, g, b, a]: [u32; 4]) -> [u32; 4] {
+    [r | g << 16, b | a << 16, 0, 0]
 }
 
 /// The colours of a tile's blocks, without a border.
 #[derive(Debug)]
 pub(crate) struct TileColor {
     pub(crate) format: ColorFormat,
-    /// Of the 8-bit formats: red in the low byte.
-    pub(crate) packed: Vec<[u32; 16]>,
-    /// Of Rgba32F: channel by channel.
-    pub(crate) float: Vec<[[f32; 16]; 4]>,
+    /// Block by block, and within a block word by word.
+    pub(crate) words: Vec<[u32; 16]>,
 }
 
-/// Red, green, blue and alpha in the lanes.
+/// Red, green, blue and alpha in the lanes; the bits of integers, for a format of integers.
 pub(crate) type Channels<S> = [f32x16<S>; 4];
 
 impl TileColor {
     pub(crate) fn new(format: ColorFormat) -> Self {
-        Self { format, packed: Vec::new(), float: Vec::new() }
+        Self { format, words: Vec::new() }
     }
 
-    /// Gives `blocks` blocks one colour.
-    pub(crate) fn clear(&mut self, blocks: usize, color: [f32; 4]) {
-        self.packed.clear();
-        self.float.clear();
-        match self.format {
-            ColorFormat::None => {}
-            ColorFormat::Rgba8 | ColorFormat::Rgba8Srgb => {
-                self.packed.resize(blocks, [self.format.packed(color); 16]);
-            }
-            ColorFormat::Rgba32F => self.float.resize(blocks, color.map(|c| [c; 16])),
+    /// Gives `blocks` blocks one colour, as words.
+    pub(crate) fn clear(&mut self, blocks: usize, color: [u32; 4]) {
+        self.words.clear();
+        let each = self.format.words();
+        if each <= 1 {
+            self.words.resize(blocks * each, [color[0]; 16]);
+            return;
+        }
+        let pixel = color.map(|word| [word; 16]);
+        self.words.reserve(blocks * each);
+        for _ in 0..blocks {
+            self.words.extend_from_slice(&pixel[..each]);
         }
     }
 
-    /// The colours of a block, decoded.
+    /// The colours of a block, decoded. There are none of integers.
     #[inline(always)]
     pub(crate) fn load<S: Simd>(&self, s: S, block: usize) -> Channels<S> {
         match self.format {
-            ColorFormat::None => [f32x16::splat(s, 0.0); 4],
-            ColorFormat::Rgba8 => {
-                let p = u32x16::simd_from(s, self.packed[block]);
+            ColorFormat::Unorm8(4) => {
+                let p = u32x16::simd_from(s, self.words[block]);
                 [from_unorm8(s, p), from_unorm8(s, p >> 8), from_unorm8(s, p >> 16), from_unorm8(s, p >> 24)]
             }
-            ColorFormat::Rgba8Srgb => {
-                let words = &self.packed[block];
-                let mut decoded = [[0.0; 16]; 3];
-                let srgb = &*SRGB;
-                let mut k = 0;
-                while k < 16 {
-                    let [r, g, b, _] = words[k].to_le_bytes();
-                    decoded[0][k] = srgb.decode(r);
-                    decoded[1][k] = srgb.decode(g);
-                    decoded[2][k] = srgb.decode(b);
-                    k += 1;
-                }
+            ColorFormat::Srgb8(4) => {
+                let words = &self.words[block];
+                let decoded = decode_srgb(words);
                 let alpha = from_unorm8(s, u32x16::simd_from(s, *words) >> 24);
                 [
                     f32x16::simd_from(s, decoded[0]),
@@ -96,9 +128,13 @@ impl TileColor {
                     alpha,
                 ]
             }
-            ColorFormat::Rgba32F => {
-                let [r, g, b, a] = &self.float[block];
-                [f32x16::simd_from(s, *r), f32x16::simd_from(s, *g), f32x16::simd_from(s, *b), f32x16::simd_from(s, *a)]
+            ColorFormat::Float(4) => {
+                let words = &self.words[4 * block..4 * block + 4];
+                [float(s, &words[0]), float(s, &words[1]), float(s, &words[2]), float(s, &words[3])]
+            }
+            _ => {
+                let [r, g, b, a] = self.load_other(s, block);
+                [f32x16::simd_from(s, r), f32x16::simd_from(s, g), f32x16::simd_from(s, b), f32x16::simd_from(s, a)]
             }
         }
     }
@@ -116,26 +152,31 @@ impl TileColor {
         let written = channels.channels();
         match self.format {
             ColorFormat::None => {}
-            ColorFormat::Rgba8 => {
+            ColorFormat::Unorm8(4) => {
                 let [r, g, b, a] = color;
                 let packed =
                     to_unorm8(s, r) | (to_unorm8(s, g) << 8) | (to_unorm8(s, b) << 16) | (to_unorm8(s, a) << 24);
                 self.store_packed(s, block, mask, packed, written);
             }
-            ColorFormat::Rgba8Srgb => {
+            ColorFormat::Srgb8(4) => {
                 let alpha = to_unorm8(s, color[3]) << 24;
                 let packed = encode_srgb(s, color[0], color[1], color[2]) | alpha;
                 self.store_packed(s, block, mask, packed, written);
             }
-            ColorFormat::Rgba32F => {
+            ColorFormat::Float(4) => {
                 let mut k = 0;
                 while k < 4 {
                     if written[k] {
-                        let there = f32x16::simd_from(s, self.float[block][k]);
-                        self.float[block][k] = mask.select(one_nan(s, color[k]), there).into();
+                        let there = &mut self.words[4 * block + k];
+                        let new: u32x16<S> = one_nan(s, color[k]).bitcast();
+                        *there = mask.select(new, u32x16::simd_from(s, *there)).into();
                     }
                     k += 1;
                 }
+            }
+            _ => {
+                let [r, g, b, a] = color;
+                self.store_other(s, block, mask.to_bitmask(), &[r.into(), g.into(), b.into(), a.into()], written);
             }
         }
     }
@@ -149,13 +190,113 @@ impl TileColor {
         mut packed: u32x16<S>,
         written: [bool; 4],
     ) {
-        let there = u32x16::simd_from(s, self.packed[block]);
+        let there = u32x16::simd_from(s, self.words[block]);
         if written != [true; 4] {
             let bytes = u32::from_le_bytes(written.map(|written| if written { 255 } else { 0 }));
             packed = (packed & bytes) | (there & !bytes);
         }
-        self.packed[block] = mask.select(packed, there).into();
+        self.words[block] = mask.select(packed, there).into();
     }
+
+    /// [`Self::load`] for the less usual formats. Not inlined: they would only be in the way of the usual ones.
+    #[inline(never)]
+    fn load_other<S: Simd>(&self, s: S, block: usize) -> [[f32; 16]; 4] {
+        s.vectorize(
+            #[inline(always)]
+            || self.load_any(s, block),
+        )
+    }
+
+    #[inline(always)]
+    fn load_any<S: Simd>(&self, s: S, block: usize) -> [[f32; 16]; 4] {
+        let each = self.format.words();
+        let words = &self.words[each * block..each * (block + 1)];
+        // What is not there: 0, and 1 for alpha.
+        let mut color = [[0.0; 16], [0.0; 16], [0.0; 16], [1.0; 16]];
+        let channels = match self.format {
+            ColorFormat::None | ColorFormat::Uint(_) | ColorFormat::Int(_) => return [[0.0; 16]; 4],
+            ColorFormat::Unorm8(n)
+            | ColorFormat::Srgb8(n)
+            | ColorFormat::Unorm16(n)
+            | ColorFormat::Half(n)
+            | ColorFormat::Float(n) => n as usize,
+        };
+        let mut k = 0;
+        while k < channels {
+            let value = match self.format {
+                ColorFormat::Srgb8(_) if k < 3 => f32x16::simd_from(s, decode_srgb(&words[0])[k]),
+                ColorFormat::Unorm8(_) | ColorFormat::Srgb8(_) => {
+                    from_unorm8(s, u32x16::simd_from(s, words[0]) >> (8 * k as u32))
+                }
+                ColorFormat::Unorm16(_) => from_unorm16(s, half_word(s, words, k)),
+                ColorFormat::Half(_) => from_half(s, half_word(s, words, k)),
+                _ => float(s, &words[k]),
+            };
+            color[k] = value.into();
+            k += 1;
+        }
+        color
+    }
+
+    /// [`Self::store`] for the less usual formats.
+    #[inline(never)]
+    fn store_other<S: Simd>(&mut self, s: S, block: usize, mask: u64, color: &[[f32; 16]; 4], written: [bool; 4]) {
+        s.vectorize(
+            #[inline(always)]
+            || self.store_any(s, block, mask32x16::from_bitmask(s, mask), color, written),
+        );
+    }
+
+    #[inline(always)]
+    fn store_any<S: Simd>(
+        &mut self,
+        s: S,
+        block: usize,
+        mask: mask32x16<S>,
+        color: &[[f32; 16]; 4],
+        written: [bool; 4],
+    ) {
+        let (format, each) = (self.format, self.format.words());
+        let words = &mut self.words[each * block..each * (block + 1)];
+        let (channels, bits) = match format {
+            ColorFormat::None => return,
+            ColorFormat::Unorm8(n) | ColorFormat::Srgb8(n) => (n as usize, 8),
+            ColorFormat::Unorm16(n) | ColorFormat::Half(n) => (n as usize, 16),
+            ColorFormat::Float(n) | ColorFormat::Uint(n) | ColorFormat::Int(n) => (n as usize, 32),
+        };
+        let mut k = 0;
+        while k < channels {
+            let value = f32x16::simd_from(s, color[k]);
+            let code: u32x16<S> = match format {
+                ColorFormat::Srgb8(_) if k < 3 => u32x16::simd_from(s, encode_srgb_word(&color[k])),
+                ColorFormat::Unorm8(_) | ColorFormat::Srgb8(_) => to_unorm8(s, value),
+                ColorFormat::Unorm16(_) => to_unorm16(s, value),
+                ColorFormat::Half(_) => to_half(s, value),
+                ColorFormat::Float(_) => one_nan(s, value).bitcast(),
+                _ => u32x16::simd_from(s, bytemuck::must_cast::<_, [u32; 16]>(color[k])),
+            };
+            if written[k] {
+                let shift = (k as u32 * bits) & 31;
+                let there = &mut words[k * bits as usize / 32];
+                let old = u32x16::simd_from(s, *there);
+                let field = (u32::MAX >> (32 - bits)) << shift;
+                let new = (code << shift) | (old & !field);
+                *there = mask.select(new, old).into();
+            }
+            k += 1;
+        }
+    }
+}
+
+#[inline(always)]
+fn float<S: Simd>(s: S, word: &[u32; 16]) -> f32x16<S> {
+    u32x16::simd_from(s, *word).bitcast()
+}
+
+/// The half of a word that channel `k` has, in the low half.
+#[inline(always)]
+fn half_word<S: Simd>(s: S, words: &[[u32; 16]], k: usize) -> u32x16<S> {
+    u32x16::simd_from(s, words[k / 2]) >> (16 * (k as u32 & 1))
 }
 
 /// Makes every NaN the same one: sign and payload of a computed NaN differ between kinds of processors.
@@ -177,6 +318,30 @@ pub(crate) fn unorm8(x: f32) -> u8 {
     let x = if x > 0.0 { x } else { 0.0 };
     let x = if x < 1.0 { x } else { 1.0 };
     (x * 255.0 + 0.5) as u8
+}
+
+/// The code nearest to `65535 x`, halves to even, of a value clamped to 0 to 1; NaN counts as 0. The product is exact in f64.
+fn unorm16(x: f32) -> u16 {
+    let x = if x > 0.0 { x } else { 0.0 };
+    let x = if x < 1.0 { x } else { 1.0 };
+    (f64::from(x) * 65_535.0).round_ties_even() as u16
+}
+
+#[inline(always)]
+fn to_unorm16<S: Simd>(s: S, x: f32x16<S>) -> u32x16<S> {
+    // Adding 1.5 * 2^52 leaves no bits for a fraction.
+    const MAGIC: f64 = 6_755_399_441_055_744.0;
+    let (low, high) = clamp_unorm(s, x).widen();
+    let low = (low * 65_535.0 + MAGIC) - MAGIC;
+    let high = (high * 65_535.0 + MAGIC) - MAGIC;
+    low.narrow(high).to_int().bitcast()
+}
+
+/// The low half of each lane, over 65535.
+#[inline(always)]
+fn from_unorm16<S: Simd>(s: S, codes: u32x16<S>) -> f32x16<S> {
+    let low: i32x16<S> = (codes & 0xffff).bitcast();
+    low.to_float() / f32x16::splat(s, 65_535.0)
 }
 
 #[inline(always)]
@@ -208,4 +373,26 @@ fn encode_srgb_words(r: &[f32; 16], g: &[f32; 16], b: &[f32; 16]) -> [u32; 16] {
         words[k] = u32::from_le_bytes([srgb.encode(r[k]), srgb.encode(g[k]), srgb.encode(b[k]), 0]);
     }
     words
+}
+
+#[inline(never)]
+fn encode_srgb_word(channel: &[f32; 16]) -> [u32; 16] {
+    let srgb = &*SRGB;
+    channel.map(|c| srgb.encode(c).into())
+}
+
+/// The linear values of the three low bytes.
+#[inline(always)]
+fn decode_srgb(words: &[u32; 16]) -> [[f32; 16]; 3] {
+    let mut decoded = [[0.0; 16]; 3];
+    let srgb = &*SRGB;
+    let mut k = 0;
+    while k < 16 {
+        let [r, g, b, _] = words[k].to_le_bytes();
+        decoded[0][k] = srgb.decode(r);
+        decoded[1][k] = srgb.decode(g);
+        decoded[2][k] = srgb.decode(b);
+        k += 1;
+    }
+    decoded
 }

@@ -1,13 +1,21 @@
 //! Where a pass draws to: buffers in the caller's memory, row-major, the top row first.
 
 pub(crate) mod bands;
+pub(crate) mod color;
 pub(crate) mod depth;
 pub(crate) mod format;
+pub(crate) mod half;
 pub(crate) mod srgb;
+pub(crate) mod texels;
 
+pub use color::ColorBuffer;
 pub use depth::DepthBuffer;
+pub use half::{f16_to_f32, f32_to_f16};
 
 use crate::Error;
+
+/// The most colour buffers that a target may have.
+pub const MAX_COLORS: usize = 8;
 
 /// The largest width and height of a target, in pixels.
 pub const MAX_SIZE: u32 = 16_384;
@@ -34,8 +42,23 @@ pub struct Target<'a> {
     pub width: u32,
     /// Pixels down, 1 to [`MAX_SIZE`].
     pub height: u32,
-    /// The picture.
+    /// The picture: what the fragment stage returns, or the first of what it returns.
     pub color: ColorBuffer<'a>,
+    /// Where the further things go that fragment stages return; see [`Outputs`](crate::Outputs). With `color` at most [`MAX_COLORS`].
+    ///
+    /// Each draw must return as many as there are buffers, of the kinds that these hold; what is for [`ColorBuffer::None`] is dropped. A target without
+    /// any takes every draw.
+    ///
+    /// ```
+    /// use pineda::{ColorBuffer, Target};
+    /// let (mut albedo, mut normals, mut ids) = (vec![[0u8; 4]; 64], vec![[0u16; 4]; 64], vec![0u32; 64]);
+    /// let target = Target {
+    ///     color: ColorBuffer::Rgba8Srgb(&mut albedo),
+    ///     more_colors: vec![ColorBuffer::Rgba16F(&mut normals), ColorBuffer::R32U(&mut ids)],
+    ///     ..Target::new(8, 8)
+    /// };
+    /// ```
+    pub more_colors: Vec<ColorBuffer<'a>>,
     /// Depth, linear in raster space.
     pub depth: DepthBuffer<'a>,
     /// Stencil values.
@@ -53,32 +76,6 @@ pub struct Target<'a> {
     pub hits: Option<&'a mut [u32]>,
 }
 
-/// The picture's format.
-#[derive(Debug, Default)]
-pub enum ColorBuffer<'a> {
-    /// No picture: fragment stages of opaque draws do not run.
-    #[default]
-    None,
-    /// Red, green, blue, alpha, each `round(255 x)` of a value clamped to 0 to 1; NaN counts as 0.
-    Rgba8(&'a mut [[u8; 4]]),
-    /// The same, with red, green and blue encoded by the sRGB curve (IEC 61966-2-1) to the nearest code; blended in linear light.
-    Rgba8Srgb(&'a mut [[u8; 4]]),
-    /// As the fragment stage returns them; every NaN is stored with the bits 0x7fc0_0000.
-    Rgba32F(&'a mut [[f32; 4]]),
-}
-
-impl ColorBuffer<'_> {
-    /// The same buffer, for a shorter while.
-    pub(crate) fn reborrow(&mut self) -> ColorBuffer<'_> {
-        match self {
-            Self::None => ColorBuffer::None,
-            Self::Rgba8(pixels) => ColorBuffer::Rgba8(pixels),
-            Self::Rgba8Srgb(pixels) => ColorBuffer::Rgba8Srgb(pixels),
-            Self::Rgba32F(pixels) => ColorBuffer::Rgba32F(pixels),
-        }
-    }
-}
-
 impl Target<'_> {
     /// A target without any buffer yet.
     #[must_use]
@@ -87,6 +84,7 @@ impl Target<'_> {
             width,
             height,
             color: ColorBuffer::None,
+            more_colors: Vec::new(),
             depth: DepthBuffer::None,
             stencil: None,
             triangle_ids: None,
@@ -97,6 +95,16 @@ impl Target<'_> {
         }
     }
 
+    /// Colour buffer `k`, if there are so many.
+    pub(crate) fn color_buffer(&self, k: usize) -> Option<&ColorBuffer<'_>> {
+        if k == 0 { Some(&self.color) } else { self.more_colors.get(k - 1) }
+    }
+
+    /// How many there are of them; 0 if there is no more than a `color` that is none.
+    pub(crate) fn color_count(&self) -> usize {
+        if self.color.is_none() && self.more_colors.is_empty() { 0 } else { 1 + self.more_colors.len() }
+    }
+
     pub(crate) fn validate(&self) -> Result<(), Error> {
         let (width, height) = (self.width, self.height);
         let sides = 1..=MAX_SIZE;
@@ -104,13 +112,8 @@ impl Target<'_> {
             return Err(Error::TargetSize { width, height });
         }
         let expected = width as usize * height as usize;
-        let color = match &self.color {
-            ColorBuffer::None => None,
-            ColorBuffer::Rgba8(pixels) | ColorBuffer::Rgba8Srgb(pixels) => Some(pixels.len()),
-            ColorBuffer::Rgba32F(pixels) => Some(pixels.len()),
-        };
         let buffers = [
-            ("color", color),
+            ("color", self.color.length()),
             ("depth", self.depth.length()),
             ("stencil", self.stencil.as_ref().map(|b| b.len())),
             ("triangle_ids", self.triangle_ids.as_ref().map(|b| b.len())),
@@ -119,7 +122,11 @@ impl Target<'_> {
             ("barycentrics", self.barycentrics.as_ref().map(|b| b.len())),
             ("hits", self.hits.as_ref().map(|b| b.len())),
         ];
-        for (buffer, length) in buffers {
+        if self.more_colors.len() >= MAX_COLORS {
+            return Err(Error::TooManyColors { colors: 1 + self.more_colors.len() });
+        }
+        let more_colors = self.more_colors.iter().map(|color| ("more_colors", color.length()));
+        for (buffer, length) in buffers.into_iter().chain(more_colors) {
             if let Some(length) = length.filter(|&length| length != expected) {
                 return Err(Error::BufferLength { buffer, length, expected, width, height });
             }

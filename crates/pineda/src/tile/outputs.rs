@@ -5,15 +5,26 @@ use super::view::{BlockLanes, TileView};
 use crate::raster::triangle_id::{ORDERS, TriangleId};
 use crate::shading::run::RunView;
 use crate::shading::weights::{Weights, of_clipped, of_triangle};
-use crate::target::bands::TileRows;
+use crate::target::bands::{Band, TileRows};
 use crate::target::depth::loaded_depth;
-use crate::target::format::one_nan;
+use crate::target::format::{TileColor, one_nan};
+use crate::target::texels::fill_rows;
 use crate::target::{ColorBuffer, DepthBuffer, NO_ID};
 use crate::wide::{Simd, dispatch};
 
+/// A tile's colours, in the order of the target's buffers.
+fn colors<'a>(first: &'a mut TileColor, more: &'a mut [TileColor]) -> impl Iterator<Item = &'a mut TileColor> {
+    std::iter::once(first).chain(more)
+}
+
+/// A band's colour buffers.
+fn buffers<'a, 'b>(band: &'a mut Band<'b>) -> impl Iterator<Item = &'a mut ColorBuffer<'b>> {
+    std::iter::once(&mut band.color).chain(&mut band.more_colors)
+}
+
 /// Loads what the tile does not clear.
 pub(crate) fn load(painter: &mut Painter, painting: &Painting<'_>, view: &TileView, row: usize) {
-    let loads_color = painting.start.color.is_none();
+    let loads_color = painting.start.colors[..=painting.wants.more_count].iter().any(Option::is_none);
     let loads_depth = painting.start.depth.is_none() && painting.wants.depth;
     let loads_stencil = painting.start.stencil.is_none() && painting.wants.stencil;
     if !loads_color && !loads_depth && !loads_stencil {
@@ -22,22 +33,10 @@ pub(crate) fn load(painter: &mut Painter, painting: &Painting<'_>, view: &TileVi
     let rows = TileRows::new(view, painting.width, painting.height);
     let block = |row: usize| view.block(0, row as i32);
     let mut band = painting.bands.lock(row);
-    if loads_color {
-        match &mut band.color {
-            ColorBuffer::None => {}
-            ColorBuffer::Rgba8(pixels) | ColorBuffer::Rgba8Srgb(pixels) => {
-                rows.load(pixels, &mut painter.color.packed, block, u32::from_le_bytes);
-            }
-            ColorBuffer::Rgba32F(pixels) => {
-                let float = &mut painter.color.float;
-                rows.for_each(pixels, block, |piece, block, first| {
-                    for (k, pixel) in piece.iter().enumerate() {
-                        for (channel, &value) in float[block].iter_mut().zip(pixel) {
-                            channel[first + k] = value;
-                        }
-                    }
-                });
-            }
+    let Painter { color, more_colors, .. } = painter;
+    for ((color, buffer), start) in colors(color, more_colors).zip(buffers(&mut band)).zip(painting.start.colors) {
+        if start.is_none() {
+            color.load_rows(&rows, buffer, block);
         }
     }
     if loads_depth {
@@ -59,14 +58,12 @@ pub(crate) fn load(painter: &mut Painter, painting: &Painting<'_>, view: &TileVi
 /// Clears what a tile without triangles covers.
 pub(crate) fn clear(painting: &Painting<'_>, view: &TileView, row: usize) {
     let rows = TileRows::new(view, painting.width, painting.height);
-    let Start { color, depth, stencil, is_first } = painting.start;
+    let Start { colors, depth, stencil, is_first } = painting.start;
     let band = &mut *painting.bands.lock(row);
-    match (&mut band.color, color) {
-        (ColorBuffer::Rgba8(pixels) | ColorBuffer::Rgba8Srgb(pixels), Some(color)) => {
-            rows.fill(pixels, painting.wants.color.packed(color).to_le_bytes());
+    for (buffer, color) in buffers(band).zip(colors) {
+        if let Some(color) = color {
+            fill_rows(&rows, buffer, color);
         }
-        (ColorBuffer::Rgba32F(pixels), Some(color)) => rows.fill(pixels, color),
-        _ => {}
     }
     let code = depth.map(|z| painting.depth_format.code(z));
     match (&mut band.depth, depth, code) {
@@ -107,19 +104,8 @@ pub(crate) fn store(painter: &mut Painter, painting: &Painting<'_>, view: &TileV
         guard = painting.bands.lock(row);
     }
     let band = &mut *guard;
-    match &mut band.color {
-        ColorBuffer::None => {}
-        ColorBuffer::Rgba8(pixels) | ColorBuffer::Rgba8Srgb(pixels) => {
-            rows.store(pixels, &painter.color.packed, block, u32::to_le_bytes);
-        }
-        ColorBuffer::Rgba32F(pixels) => {
-            let float = &painter.color.float;
-            rows.for_each(pixels, block, |piece, block, first| {
-                for (k, pixel) in piece.iter_mut().enumerate() {
-                    *pixel = [0, 1, 2, 3].map(|channel| float[block][channel][first + k]);
-                }
-            });
-        }
+    for (color, buffer) in colors(&mut painter.color, &mut painter.more_colors).zip(buffers(band)) {
+        color.store_rows(&rows, buffer, block);
     }
     let depths = &painter.tile.depth;
     let code = |bits: i32| painting.depth_format.code(f32::from_bits(bits as u32));

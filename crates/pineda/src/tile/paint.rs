@@ -15,6 +15,7 @@ use crate::shading::cached::TriangleCache;
 use crate::shading::packet::PacketBatch;
 use crate::shading::run::RunView;
 use crate::shading::shade::{OrderedPacket, Shading, VisiblePacket, shade_in_order, shade_visible};
+use crate::target::MAX_COLORS;
 use crate::target::bands::Bands;
 use crate::target::depth::DepthFormat;
 use crate::target::format::{ColorFormat, TileColor};
@@ -42,7 +43,8 @@ pub(crate) struct Painting<'a> {
 /// What tiles start with; `None` is what the target holds.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Start {
-    pub(crate) color: Option<[f32; 4]>,
+    /// Of each colour buffer, as the tile stores it.
+    pub(crate) colors: [Option<[u32; 4]>; MAX_COLORS],
     pub(crate) depth: Option<f32>,
     pub(crate) stencil: Option<u8>,
     /// Whether ids, barycentric coordinates and hits start empty.
@@ -53,6 +55,9 @@ pub(crate) struct Start {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Wants {
     pub(crate) color: ColorFormat,
+    /// Of the further colour buffers, and how many there are.
+    pub(crate) more_colors: [ColorFormat; MAX_COLORS - 1],
+    pub(crate) more_count: usize,
     pub(crate) depth: bool,
     pub(crate) stencil: bool,
     /// Triangle, instance or draw ids, or barycentric coordinates.
@@ -60,11 +65,19 @@ pub(crate) struct Wants {
     pub(crate) hits: bool,
 }
 
+impl Wants {
+    fn any_color(&self) -> bool {
+        self.color != ColorFormat::None || self.more_count > 0
+    }
+}
+
 /// What a thread paints with; kept from pass to pass.
 #[derive(Debug)]
 pub(crate) struct Painter {
     pub(crate) tile: Tile,
     pub(crate) color: TileColor,
+    /// Those of the further colour buffers.
+    pub(crate) more_colors: Vec<TileColor>,
     pub(crate) hits: Vec<[u32; 16]>,
     visible: Vec<VisiblePacket>,
     batch: PacketBatch,
@@ -82,6 +95,7 @@ impl Painter {
         Self {
             tile: Tile::default(),
             color: TileColor::new(ColorFormat::None),
+            more_colors: Vec::new(),
             hits: Vec::new(),
             visible: Vec::new(),
             batch: PacketBatch::new(),
@@ -122,7 +136,7 @@ impl Painter {
                 }
                 match segment.kind {
                     SegmentKind::Deferred => {
-                        let wants_ids = painting.wants.ids || painting.wants.color != ColorFormat::None;
+                        let wants_ids = painting.wants.ids || painting.wants.any_color();
                         self.resolve_visibility(painting, share, entries, &view, segment, wants_ids);
                         has_visible = true;
                     }
@@ -168,7 +182,12 @@ impl Painter {
             self.hits.resize(view.block_count(), [0; 16]);
         }
         self.color.format = wants.color;
-        self.color.clear(view.block_count(), start.color.unwrap_or_default());
+        self.color.clear(view.block_count(), start.colors[0].unwrap_or_default());
+        self.more_colors.resize_with(wants.more_count, || TileColor::new(ColorFormat::None));
+        for ((color, format), start) in self.more_colors.iter_mut().zip(wants.more_colors).zip(&start.colors[1..]) {
+            color.format = format;
+            color.clear(view.block_count(), start.unwrap_or_default());
+        }
         outputs::load(self, painting, view, row);
     }
 
@@ -215,7 +234,7 @@ impl Painter {
 
     /// Shades every sample of the visibility buffer, draw by draw.
     fn shade_visible(&mut self, painting: &Painting<'_>, view: &TileView) {
-        if painting.wants.color == ColorFormat::None {
+        if !painting.wants.any_color() {
             return;
         }
         self.visible.clear();
@@ -234,6 +253,7 @@ impl Painter {
                 view,
                 tile: &mut self.tile,
                 color: &mut self.color,
+                more_colors: &mut self.more_colors,
                 batch: &mut self.batch,
                 cache: &mut self.cache,
                 counted: None,
@@ -297,6 +317,7 @@ impl Painter {
                     view,
                     tile: &mut self.tile,
                     color: &mut self.color,
+                    more_colors: &mut self.more_colors,
                     batch: &mut self.batch,
                     cache: &mut self.cache,
                     counted: counted.as_mut(),

@@ -1,6 +1,7 @@
 //! `pineda` against the oracle, against a naive renderer, and against its own promises.
 
 mod clip_distances;
+mod color_errors;
 mod coverage;
 mod encodings;
 mod errors;

@@ -1,6 +1,6 @@
 //! Blending and colour masks, against the equations of Vulkan 1.4 ("Blending", tables of factors and operations) and WebGPU.
 
-use crate::common::{HEIGHT, Layer, PIXELS, WIDTH, channel, settings};
+use crate::common::{HEIGHT, Layer, PIXELS, WIDTH, channel, second_of, settings};
 use pineda::*;
 use pineda_oracle::cases::Random;
 
@@ -12,7 +12,7 @@ enum Format {
 }
 
 /// The equations, channel by channel.
-fn blended(blend: &Blend, s: [f32; 4], d: [f32; 4]) -> [f32; 4] {
+pub(crate) fn blended(blend: &Blend, s: [f32; 4], s1: [f32; 4], d: [f32; 4]) -> [f32; 4] {
     [0, 1, 2, 3].map(|k| {
         let component = if k < 3 { blend.color } else { blend.alpha };
         let c = blend.constant;
@@ -39,6 +39,10 @@ fn blended(blend: &Blend, s: [f32; 4], d: [f32; 4]) -> [f32; 4] {
             BlendFactor::OneMinusConstant => value * (1.0 - c[k]),
             BlendFactor::ConstantAlpha => value * c[3],
             BlendFactor::OneMinusConstantAlpha => value * (1.0 - c[3]),
+            BlendFactor::Source1 => value * s1[k],
+            BlendFactor::OneMinusSource1 => value * (1.0 - s1[k]),
+            BlendFactor::Source1Alpha => value * s1[3],
+            BlendFactor::OneMinusSource1Alpha => value * (1.0 - s1[3]),
         };
         if component == BlendComponent::REPLACE {
             return s[k];
@@ -55,12 +59,12 @@ fn blended(blend: &Blend, s: [f32; 4], d: [f32; 4]) -> [f32; 4] {
     })
 }
 
-fn clamped(x: f32) -> f32 {
+pub(crate) fn clamped(x: f32) -> f32 {
     if x.is_nan() { 0.0 } else { x.clamp(0.0, 1.0) }
 }
 
 /// The sRGB curve from codes, or what lies between them, to linear light.
-fn linear(code: f64) -> f64 {
+pub(crate) fn linear(code: f64) -> f64 {
     let v = code / 255.0;
     if v <= 0.040_45 { v / 12.92 } else { ((v + 0.055) / 1.055).powf(2.4) }
 }
@@ -106,18 +110,19 @@ impl Picture {
         let DrawState { blend, color_mask: ColorMask { r, g, b, a }, .. } = layer.state;
         let mask = [r, g, b, a];
         for at in 0..PIXELS {
-            let source = layer.colors[at];
+            let (source, second) = (layer.colors[at], second_of(layer.colors[at]));
             if layer.discards && source[3] < 0.25 {
                 continue;
             }
             if self.format == Format::Float {
-                let color = blended(&blend, source, self.floats[at]);
+                let color = blended(&blend, source, second, self.floats[at]);
                 for k in (0..4).filter(|&k| mask[k]) {
                     self.floats[at][k] = if color[k].is_nan() { f32::from_bits(0x7fc0_0000) } else { color[k] };
                 }
             } else {
                 let blend = Blend { constant: blend.constant.map(clamped), ..blend };
-                let color = blended(&blend, source.map(clamped), self.format.decoded(self.codes[at]));
+                let color =
+                    blended(&blend, source.map(clamped), second.map(clamped), self.format.decoded(self.codes[at]));
                 let codes = self.format.encoded(color);
                 (0..4).filter(|&k| mask[k]).for_each(|k| self.codes[at][k] = codes[k]);
             }
@@ -162,7 +167,7 @@ fn check(seed: u64, layers: &[Layer], start: &Picture) {
     }
 }
 
-fn random_blend(random: &mut Random) -> Blend {
+pub(crate) fn random_blend(random: &mut Random) -> Blend {
     let component = |random: &mut Random| BlendComponent {
         source: random.pick(&BlendFactor::ALL),
         operation: random.pick(&BlendOperation::ALL),

@@ -15,7 +15,17 @@ varyings! {
     }
 }
 
-/// The first vertex's colour, bit by bit.
+/// The second source of a colour.
+pub(crate) fn second_of([r, g, b, a]: [f32; 4]) -> [f32; 4] {
+    [a - 0.25, r, g * 0.5, b]
+}
+
+#[shader]
+fn with_second<L: Lanes>(color: Rgba<L>) -> DualSource<L> {
+    DualSource { color, factor: Rgba { r: color.a - 0.25, g: color.r, b: color.g * 0.5, a: color.b } }
+}
+
+/// The first vertex's colour, bit by bit, and its second source.
 pub(crate) struct Flat;
 
 #[shader]
@@ -25,8 +35,8 @@ impl Shader for Flat {
     fn vertex(&self, &([x, y, z], color): &Self::Vertex) -> (Vec4, Plain) {
         ([x, y, z, 1.0].into(), Plain { color: color.into() })
     }
-    fn fragment<L: Lanes>(&self, f: &mut Fragment<L, Self>) -> Rgba<L> {
-        f.color
+    fn fragment<L: Lanes>(&self, f: &mut Fragment<L, Self>) -> DualSource<L> {
+        with_second(f.color)
     }
 }
 
@@ -41,9 +51,9 @@ impl Shader for FlatWithHoles {
     fn vertex(&self, vertex: &Self::Vertex) -> (Vec4, Plain) {
         Flat.vertex(vertex)
     }
-    fn fragment<L: Lanes>(&self, f: &mut Fragment<L, Self>) -> Rgba<L> {
+    fn fragment<L: Lanes>(&self, f: &mut Fragment<L, Self>) -> DualSource<L> {
         f.discard(f.color.a.lt(0.25));
-        f.color
+        with_second(f.color)
     }
 }
 

@@ -3,6 +3,8 @@
 mod blending;
 mod common;
 mod depth;
+mod formats;
 mod queries;
 mod stencil;
+mod targets;
 mod windows;
