@@ -233,6 +233,11 @@ impl Exact {
                 BlendFactor::ConstantAlpha => constant[3],
                 BlendFactor::OneMinusConstant => 1.0 - constant[k],
                 BlendFactor::OneMinusConstantAlpha => 1.0 - constant[3],
+                // No case has a second source.
+                BlendFactor::Source1
+                | BlendFactor::OneMinusSource1
+                | BlendFactor::Source1Alpha
+                | BlendFactor::OneMinusSource1Alpha => f64::NAN,
             };
             let (s, t) = (source[k] * factor(component.source), target[k] * factor(component.target));
             let result = match component.operation {

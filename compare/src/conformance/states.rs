@@ -144,6 +144,10 @@ fn factor(factor: BlendFactor) -> wgpu::BlendFactor {
         BlendFactor::SourceAlphaSaturated => wgpu::BlendFactor::SrcAlphaSaturated,
         BlendFactor::Constant | BlendFactor::ConstantAlpha => wgpu::BlendFactor::Constant,
         BlendFactor::OneMinusConstant | BlendFactor::OneMinusConstantAlpha => wgpu::BlendFactor::OneMinusConstant,
+        BlendFactor::Source1 => wgpu::BlendFactor::Src1,
+        BlendFactor::OneMinusSource1 => wgpu::BlendFactor::OneMinusSrc1,
+        BlendFactor::Source1Alpha => wgpu::BlendFactor::Src1Alpha,
+        BlendFactor::OneMinusSource1Alpha => wgpu::BlendFactor::OneMinusSrc1Alpha,
     }
 }
 

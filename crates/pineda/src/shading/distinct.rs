@@ -3,7 +3,7 @@
 use super::cached::TriangleCache;
 use super::packet::{BATCH, VaryingLayout};
 use super::run::RunView;
-use crate::raster::triangle_id::{CLIPPED_CLOCKWISE, ORDER_BITS};
+use crate::raster::triangle_id::{CLIPPED_CLOCKWISE, ORDER_BITS, TriangleId};
 use crate::wide::{Simd, i32x16, mask32x16, u32x16};
 
 /// The fragments of a block to be shaded.
@@ -63,6 +63,14 @@ impl Distinct {
         if !is_plain {
             self.take(ids, 0..16, fragments.mask);
         }
+    }
+
+    /// The same for a packet of one triangle.
+    #[inline(always)]
+    pub(crate) fn set_single(&mut self, layout: &VaryingLayout, fragments: &Fragments<'_>) {
+        let id = fragments.ids[0];
+        (self.ids[0], self.masks[0], self.masks[1]) = (id, fragments.mask, 0);
+        self.way = if layout.is_plain && !TriangleId(id).is_clipped() { Way::One } else { Way::InFull };
     }
 
     #[inline(always)]

@@ -21,10 +21,10 @@ use super::packet::{BATCH, PacketBatch, VaryingLayout};
 use super::run::RunView;
 use crate::wide::Simd;
 
-/// Interpolates all varyings of a batch's packets into their rows.
+/// Interpolates all varyings of a batch's packets into their rows. With `SINGLE`, each packet is known to show one triangle.
 #[inline(always)]
 #[expect(clippy::too_many_arguments, reason = "inlined")]
-pub(crate) fn interpolate<S: Simd>(
+pub(crate) fn interpolate<S: Simd, const SINGLE: bool>(
     s: S,
     run: &RunView<'_>,
     position: &dyn Fn(usize) -> [f32; 4],
@@ -37,7 +37,12 @@ pub(crate) fn interpolate<S: Simd>(
     // Step by step for the whole batch, and way by way: so that few branches are guessed wrong.
     let mut k = 0;
     while k < batch.len() {
-        distinct[k & (BATCH - 1)].set(s, layout, &batch.packets()[k].fragments());
+        let (distinct, fragments) = (&mut distinct[k & (BATCH - 1)], batch.packets()[k].fragments());
+        if SINGLE {
+            distinct.set_single(layout, &fragments);
+        } else {
+            distinct.set(s, layout, &fragments);
+        }
         k += 1;
     }
     let mut k = 0;

@@ -10,7 +10,7 @@ use super::packet::{BATCH, PacketBatch};
 use super::run::RunView;
 use super::stencil::Tests;
 use crate::pass::draw_call::DrawCall;
-use crate::pass::{ColorMask, ColorState, DrawStatistics};
+use crate::pass::{Blend, ColorMask, ColorState, DrawStatistics};
 use crate::raster::triangle_id::TriangleId;
 use crate::target::format::{Channels, ColorFormat, TileColor};
 use crate::tile::Tile;
@@ -87,7 +87,16 @@ pub(crate) fn shade_visible<S: Simd>(s: S, shading: &mut Shading<'_>, packets: &
             packet.depth = shading.tile.depth[block as usize];
             i += 1;
         }
-        interpolate(s, shading.run, &position, &layout, shading.batch, &mut distinct, &mut last, shading.cache);
+        interpolate::<S, false>(
+            s,
+            shading.run,
+            &position,
+            &layout,
+            shading.batch,
+            &mut distinct,
+            &mut last,
+            shading.cache,
+        );
         shading.call.run_fragments(shading.level, shading.batch);
         let mut i = 0;
         while i < shading.batch.len() {
@@ -123,13 +132,16 @@ pub(crate) fn shade_in_order<S: Simd>(s: S, shading: &mut Shading<'_>, packets: 
     let mut first = 0;
     while first < packets.len() {
         shading.batch.start(&layout, shading.run.front_is_clockwise);
+        // A bit for the blocks of the batch, by their numbers' last six bits.
+        let mut blocks = 0u64;
         let mut next = first;
         while next < packets.len() && shading.batch.len() < BATCH {
             let packet = &packets[next];
             // What an earlier packet of the batch is about to change must not be tested yet.
-            if contains(shading.batch, packet.block) {
+            if blocks >> (packet.block & 63) & 1 != 0 && contains(shading.batch, packet.block) {
                 break;
             }
+            blocks |= 1 << (packet.block & 63);
             let block = packet.block as usize;
             let covered = mask32x16::from_bitmask(s, u64::from(packet.mask));
             let id = TriangleId(packet.id);
@@ -156,7 +168,16 @@ pub(crate) fn shade_in_order<S: Simd>(s: S, shading: &mut Shading<'_>, packets: 
             }
             next += 1;
         }
-        interpolate(s, shading.run, &position, &layout, shading.batch, &mut distinct, &mut last, shading.cache);
+        interpolate::<S, true>(
+            s,
+            shading.run,
+            &position,
+            &layout,
+            shading.batch,
+            &mut distinct,
+            &mut last,
+            shading.cache,
+        );
         shading.call.run_fragments(shading.level, shading.batch);
         merge(s, shading);
         first = next;
@@ -179,6 +200,8 @@ fn contains(batch: &PacketBatch, block: u32) -> bool {
 fn merge<S: Simd>(s: S, shading: &mut Shading<'_>) {
     let (state, discards) = (shading.call.state(), shading.call.discards());
     let tests = Tests { state, front_is_clockwise: shading.run.front_is_clockwise };
+    let first = state.color(0);
+    let how = How::of(&first);
     let mut i = 0;
     while i < shading.batch.len() {
         let packet = &shading.batch.packets()[i];
@@ -195,11 +218,12 @@ fn merge<S: Simd>(s: S, shading: &mut Shading<'_>) {
         let more = shading.batch.more(i);
         // Only a target with one colour buffer is blended with a second source.
         let second = if more.is_empty() { &packet.color } else { &more[0] };
-        merge_color(s, shading.color, block, alive, &packet.color, second, &state.color(0));
+        merge_color(s, shading.color, block, alive, &packet.color, second, &first, how);
         let mut k = 0;
         while k < shading.more_colors.len() {
             if let Some(color) = more.get(k) {
-                merge_color(s, &mut shading.more_colors[k], block, alive, color, color, &state.color(k + 1));
+                let state = state.color(k + 1);
+                merge_color(s, &mut shading.more_colors[k], block, alive, color, color, &state, How::of(&state));
             }
             k += 1;
         }
@@ -228,6 +252,25 @@ fn keep<S: Simd>(
     }
 }
 
+/// What becomes of a colour, found out once a batch.
+#[derive(Clone, Copy)]
+enum How {
+    Replace,
+    Alpha,
+    Any,
+}
+
+impl How {
+    fn of(state: &ColorState) -> Self {
+        let Blend { color, alpha, .. } = Blend::ALPHA;
+        match state.blend {
+            blend if blend.replaces() => Self::Replace,
+            blend if blend.color == color && blend.alpha == alpha => Self::Alpha,
+            _ => Self::Any,
+        }
+    }
+}
+
 /// Brings one colour into the tile's.
 #[inline(always)]
 fn merge_color<S: Simd>(
@@ -238,10 +281,14 @@ fn merge_color<S: Simd>(
     color: &Row4,
     second: &Row4,
     state: &ColorState,
+    how: How,
 ) {
-    let mut color = channels(s, color);
-    if !state.blend.replaces() {
-        color = blend(s, &state.blend, tile.format.is_unorm(), color, channels(s, second), tile.load(s, block));
+    let (mut color, second, is_unorm) = (channels(s, color), channels(s, second), tile.format.is_unorm());
+    // With the usual states known, nothing is left to be chosen.
+    match how {
+        How::Replace => {}
+        How::Alpha => color = blend(s, &Blend::ALPHA, is_unorm, color, second, tile.load(s, block)),
+        How::Any => color = blend(s, &state.blend, is_unorm, color, second, tile.load(s, block)),
     }
     tile.store(s, block, alive, color, state.mask);
 }

@@ -350,13 +350,17 @@ fn to_unorm8<S: Simd>(s: S, x: f32x16<S>) -> u32x16<S> {
     code.bitcast()
 }
 
-/// The low byte of each lane, over 255.
+/// The low byte of each lane, over 255: the nearest f32, without a division. 1 / 255 is taken in two parts, of which the first has so few bits
+/// that its product is exact.
 #[inline(always)]
-fn from_unorm8<S: Simd>(s: S, codes: u32x16<S>) -> f32x16<S> {
+fn from_unorm8<S: Simd>(_: S, codes: u32x16<S>) -> f32x16<S> {
     let low: i32x16<S> = (codes & 255).bitcast();
     let value: f32x16<S> = low.to_float();
-    value / f32x16::splat(s, 255.0)
+    value * PART_OF_255 + value * REST_OF_255
 }
+
+const PART_OF_255: f32 = f32::from_bits((1.0f32 / 255.0).to_bits() & !0xff);
+const REST_OF_255: f32 = (1.0 / 255.0 - PART_OF_255 as f64) as f32;
 
 /// The sRGB codes of three channels, packed, alpha 0.
 #[inline(always)]
@@ -395,4 +399,20 @@ fn decode_srgb(words: &[u32; 16]) -> [[f32; 16]; 3] {
         k += 1;
     }
     decoded
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::wide::dispatch;
+
+    #[test]
+    fn codes_over_255_are_rounded_once() {
+        for code in 0..=255u32 {
+            let words = [code | 0xabcd_ef00; 16];
+            let found: [f32; 16] =
+                dispatch!(fearless_simd::Level::new(), s => from_unorm8(s, u32x16::simd_from(s, words)).into());
+            assert_eq!(found, [code as f32 / 255.0; 16]);
+        }
+    }
 }
