@@ -123,10 +123,12 @@ impl Distinct {
     /// The way, given what the cache holds: a triangle may have driven out another, or be too large.
     #[inline(always)]
     pub(crate) fn way_with(&self, cache: &TriangleCache) -> Way {
+        if self.way == Way::One {
+            return if cache.holds(self.ids[0]) { Way::One } else { Way::Large };
+        }
         let four =
             cache.holds(self.ids[0]) & cache.holds(self.ids[1]) & cache.holds(self.ids[2]) & cache.holds(self.ids[3]);
         match self.way {
-            Way::One if !cache.holds(self.ids[0]) => Way::Large,
             Way::Two | Way::Four if !four => Way::ByLane,
             Way::Eight if !(four & self.ids[4..8].iter().all(|&id| cache.holds(id))) => Way::ByLane,
             way => way,
