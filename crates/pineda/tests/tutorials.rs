@@ -18,6 +18,9 @@ mod ndc_depth;
 #[path = "../examples/raster2d.rs"]
 #[allow(dead_code, unreachable_pub, reason = "an example's main and file writing are not run here")]
 mod raster2d;
+#[path = "../examples/wireframe.rs"]
+#[allow(dead_code, unreachable_pub, reason = "an example's main and file writing are not run here")]
+mod wireframe;
 
 use pineda::{Error, Settings, Simd, TileSize};
 
@@ -74,6 +77,11 @@ fn homogeneous_picture() {
 #[test]
 fn instancing_picture() {
     check(instancing::draw, 0xbd1e_bc8f_27ca_defe);
+}
+
+#[test]
+fn wireframe_picture() {
+    check(wireframe::draw, 0x29bb_4da9_e7ae_7cf5);
 }
 
 fn spin(settings: Settings, frames: u32) -> u64 {

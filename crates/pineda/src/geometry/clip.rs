@@ -93,8 +93,8 @@ fn sort<T>(corners: &mut [T; 3], at: impl Fn(&T) -> Homogeneous) -> bool {
 }
 
 /// How far a point lies inside a plane; negative outside. Linear, so that it can be interpolated.
-fn distance(plane: u32, p: &Homogeneous) -> f64 {
-    let band = f64::from(GUARD_BAND) * p.w;
+pub(super) fn distance(plane: u32, p: &Homogeneous, guard_band: i32) -> f64 {
+    let band = f64::from(guard_band) * p.w;
     match plane {
         outcode::NEAR => p.z,
         outcode::FAR => p.w - p.z,
@@ -120,7 +120,7 @@ fn cut(polygon: &[Corner], plane: u32) -> ([Corner; MAX_VERTICES], usize) {
     };
     for (k, a) in polygon.iter().enumerate() {
         let b = &polygon[(k + 1) % polygon.len()];
-        let (da, db) = (distance(plane, &a.at), distance(plane, &b.at));
+        let (da, db) = (distance(plane, &a.at, GUARD_BAND), distance(plane, &b.at, GUARD_BAND));
         if da >= 0.0 {
             push(*a);
         }
@@ -148,7 +148,7 @@ fn between(inside: &Homogeneous, outside: &Homogeneous, di: f64, d_o: f64) -> Ho
 }
 
 /// The raster point of a position within all planes; `None` where w is 0, which is at best a degenerate polygon's corner.
-fn to_raster(projection: &Projection, at: Homogeneous) -> Option<ScreenVertex> {
+pub(super) fn to_raster(projection: &Projection, at: Homogeneous) -> Option<ScreenVertex> {
     // A cut can land a rounding error outside of its plane.
     let band = f64::from(GUARD_BAND);
     let snap = |v: f64| (v / at.w).round_ties_even().clamp(-band, band) as i32;

@@ -8,7 +8,9 @@ use crate::lanes::Scalar;
 use crate::math::{Rgba, Vec4};
 use crate::shading::packet::{PacketBatch, VaryingLayout};
 use crate::shading::run::{RECORD_HEADER, Source, record_rows};
-use crate::shading::{Closure, ClosureFragment, FragmentKind, Native, Shader, Varyings, native};
+use crate::shading::{
+    __Layout as Layout, Closure, ClosureFragment, FragmentKind, Interpolation, Native, Shader, Varyings, native,
+};
 use crate::wide::{Simd, dispatch};
 use fearless_simd::Level;
 use std::borrow::Borrow;
@@ -24,6 +26,10 @@ pub(crate) trait DrawCall: Sync {
     fn discards(&self) -> bool;
     /// The position of the vertex of that [number](Source).
     fn position(&self, vertex: usize) -> [f32; 4];
+    /// The size of that vertex's point, if it has one of its own.
+    fn point_size(&self, _vertex: usize) -> Option<f32> {
+        None
+    }
     /// Runs the vertex stage for the vertices at places `first_place` on, as many as there are screen vertices.
     fn run_vertices(&self, level: Level, job: VertexJob<'_>);
     /// Runs the fragment stage.
@@ -52,12 +58,30 @@ pub(crate) struct ShaderDraw<'a, Sh, G> {
     pub(crate) state: DrawState,
 }
 
+/// What is interpolated for a shader.
+trait WithPointCoord {
+    const LAYOUT: Layout;
+    const INTERPOLATION: &'static [Interpolation];
+}
+
+impl<Sh: Shader> WithPointCoord for Sh {
+    const LAYOUT: Layout = {
+        let own = Layout::EMPTY.with(<Sh::Varyings<Scalar> as Varyings<Scalar>>::INTERPOLATION, None);
+        // All over a point's square w is the same: with perspective or without is the same, too.
+        if Sh::POINT_COORD { own.with(&[Interpolation::Perspective; 2], None) } else { own }
+    };
+    const INTERPOLATION: &'static [Interpolation] = Self::LAYOUT.interpolation();
+}
+
 /// A vertex stage as a function.
 trait VertexStage<In, V> {
+    /// Whether the record ends with a point's coordinates.
+    const POINT_COORD: bool;
     fn run(&self, vertex: &In) -> (Vec4, V);
 }
 
 impl<Sh: Shader> VertexStage<Sh::Vertex, Sh::Varyings<Scalar>> for Sh {
+    const POINT_COORD: bool = Sh::POINT_COORD;
     #[inline(always)]
     fn run(&self, vertex: &Sh::Vertex) -> (Vec4, Sh::Varyings<Scalar>) {
         self.vertex(vertex)
@@ -82,8 +106,9 @@ impl<Sh: Shader, G: Input<In = Sh::Vertex>> DrawCall for ShaderDraw<'_, Sh, G> {
     }
 
     fn layout(&self) -> VaryingLayout {
-        let interpolation = <Sh::Varyings<Scalar> as Varyings<Scalar>>::INTERPOLATION;
-        VaryingLayout::new(interpolation, <Sh as FragmentKind>::DERIVATIVES)
+        let interpolation = <Sh as WithPointCoord>::INTERPOLATION;
+        let layout = VaryingLayout::new(interpolation, <Sh as FragmentKind>::DERIVATIVES);
+        VaryingLayout { point_coord: Sh::POINT_COORD, ..layout }
     }
 
     fn discards(&self) -> bool {
@@ -92,6 +117,10 @@ impl<Sh: Shader, G: Input<In = Sh::Vertex>> DrawCall for ShaderDraw<'_, Sh, G> {
 
     fn position(&self, vertex: usize) -> [f32; 4] {
         array(self.shader.vertex(self.input.fetch_number(vertex).borrow()).0)
+    }
+
+    fn point_size(&self, vertex: usize) -> Option<f32> {
+        self.shader.point_size(self.input.fetch_number(vertex).borrow())
     }
 
     fn run_vertices(&self, level: Level, job: VertexJob<'_>) {
@@ -116,6 +145,7 @@ pub(crate) struct ClosureDraw<'a, G, T: Varyings<Scalar>, V, F> {
 struct VertexClosure<'a, V>(&'a V);
 
 impl<In, T, V: Fn(&In) -> (Vec4, T)> VertexStage<In, T> for VertexClosure<'_, V> {
+    const POINT_COORD: bool = false;
     #[inline(always)]
     fn run(&self, vertex: &In) -> (Vec4, T) {
         (self.0)(vertex)
@@ -158,7 +188,7 @@ where
     }
 
     fn run_vertices(&self, level: Level, job: VertexJob<'_>) {
-        dispatch!(level, s => run_vertices::<_, G, T>(s, &VertexClosure(&self.vertex), &self.input, job));
+        dispatch!(level, s => run_vertices::<_, G, T, _>(s, &VertexClosure(&self.vertex), &self.input, job));
     }
 
     fn run_fragments(&self, _: Level, batch: &mut PacketBatch) {
@@ -173,13 +203,13 @@ fn array(v: Vec4) -> [f32; 4] {
 
 /// Sixteen vertices at a time: the user's stage one by one, the projection in the lanes.
 #[inline(always)]
-fn run_vertices<S: Simd, G: Input, V: Varyings<Scalar>>(
+fn run_vertices<S: Simd, G: Input, V: Varyings<Scalar>, St: VertexStage<G::In, V>>(
     s: S,
-    stage: &impl VertexStage<G::In, V>,
+    stage: &St,
     input: &G,
     job: VertexJob<'_>,
 ) {
-    let rows = record_rows(V::LEN);
+    let rows = record_rows(V::LEN + if St::POINT_COORD { 2 } else { 0 });
     let VertexJob { source, first_place, projection, screen, records } = job;
     if screen.is_empty() {
         return;
@@ -195,6 +225,9 @@ fn run_vertices<S: Simd, G: Input, V: Varyings<Scalar>>(
             positions[k] = array(position);
             let record = records[(at + k) * rows..(at + k + 1) * rows].as_flattened_mut();
             varyings.write(bytemuck::cast_slice_mut(&mut record[RECORD_HEADER..]));
+            if St::POINT_COORD {
+                record[RECORD_HEADER + V::LEN..RECORD_HEADER + V::LEN + 2].fill(0);
+            }
             k += 1;
         }
         let mut projected = [ScreenVertex::default(); 16];

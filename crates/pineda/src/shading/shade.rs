@@ -167,6 +167,12 @@ fn merge<S: Simd>(s: S, shading: &mut Shading<'_>) {
         }
         keep(s, shading.tile, state.depth.write, block, alive, &packet.depth, &packet.ids);
         let mut color = channels(s, packet);
+        if let Some(strokes) = &shading.run.strokes {
+            let stroke = TriangleId(packet.ids[0]).number() - shading.run.first_number;
+            if let Some(parts) = strokes.covered_parts(s, stroke, packet.x, packet.y) {
+                color[3] = color[3] * parts;
+            }
+        }
         if !replaces {
             color = blend(s, &state.blend, is_unorm, color, shading.color.load(s, block));
         }

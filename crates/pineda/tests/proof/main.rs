@@ -8,6 +8,7 @@ mod garbage;
 mod passes;
 mod primitives;
 mod scene;
+mod strokes;
 mod traps;
 mod viewports;
 mod visibility;

@@ -61,7 +61,7 @@ fn a_scissor_rectangle_leaves_what_is_inside() {
                 let (i, j) = (at as i64 % i64::from(WIDTH), at as i64 / i64::from(WIDTH));
                 if !columns.contains(&i) || !rows.contains(&j) {
                     (wanted.color[at], wanted.depth[at], wanted.hits[at]) = ([9.0; 4], 1.0, 0);
-                    (wanted.triangle_ids[at], wanted.draw_ids[at]) = (NO_ID, NO_ID);
+                    (wanted.triangle_ids[at], wanted.draw_ids[at], wanted.instance_ids[at]) = (NO_ID, NO_ID, NO_ID);
                     wanted.barycentrics[at] = [0.0; 3];
                 }
             }
