@@ -169,7 +169,7 @@ fn merge<S: Simd>(s: S, shading: &mut Shading<'_>) {
         let mut color = channels(s, packet);
         if let Some(strokes) = &shading.run.strokes {
             let stroke = TriangleId(packet.ids[0]).number() - shading.run.first_number;
-            if let Some(parts) = strokes.covered_parts(s, stroke, packet.x, packet.y) {
+            if let Some(parts) = strokes.covered_parts(s, stroke, packet) {
                 color[3] = color[3] * parts;
             }
         }

@@ -1,10 +1,10 @@
 //! What shading knows of lines and points, beyond that they look like triangles.
 
+use super::packet::PacketState;
 use crate::pass::ProvokingVertex;
 use crate::raster::smooth::covered_area;
 use crate::raster::stroke::{Stroke, StrokeShape, corners_of_line};
-use crate::tile::view::BlockLanes;
-use crate::wide::{Simd, f32x16, i32x16};
+use crate::wide::{Simd, f32x16};
 
 /// The strokes of a run.
 #[derive(Clone, Copy)]
@@ -17,19 +17,18 @@ pub(crate) struct StrokeView<'a> {
 }
 
 impl StrokeView<'_> {
-    /// The parts of a block's pixels that a smooth line covers, by its number in the run and the block's first pixel; `None` of anything else.
+    /// The parts of a packet's pixels that a smooth line covers, by its number in the run; `None` of anything else. The packet is all of that line.
     #[inline(always)]
-    pub(crate) fn covered_parts<S: Simd>(&self, s: S, stroke: usize, x: i32, y: i32) -> Option<f32x16<S>> {
+    pub(crate) fn covered_parts<S: Simd>(&self, s: S, stroke: usize, packet: &PacketState) -> Option<f32x16<S>> {
         let StrokeShape::Smooth { width } = self.shape else { return None };
         let corners = corners_of_line(&self.strokes[stroke], width);
-        let lanes = BlockLanes::new(s);
-        let columns: [i32; 16] = i32x16::into(lanes.column + x);
-        let rows: [i32; 16] = i32x16::into(lanes.row + y);
         let mut parts = [0.0; 16];
-        let mut k = 0;
-        while k < 16 {
-            parts[k] = covered_area(&corners, columns[k], rows[k]);
-            k += 1;
+        let mut rest = packet.alive & 0xffff;
+        while rest != 0 {
+            let lane = rest.trailing_zeros() & 15;
+            rest &= rest - 1;
+            let (column, row) = ((lane & 3) as i32, (lane >> 2) as i32);
+            parts[lane as usize] = covered_area(&corners, packet.x + column, packet.y + row);
         }
         Some(f32x16::simd_from(s, parts))
     }
