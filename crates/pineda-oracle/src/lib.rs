@@ -9,6 +9,8 @@
 //! | `snap.rs` | where on the grid of 1/256 pixel does a position land? |
 //! | `project.rs` | where in the picture does a clip-space vertex land, exactly? |
 //! | `coverage.rs` | does this snapped triangle own this pixel? |
+//! | `lines.rs` | which pixels does a line one pixel wide own, which a point? |
+//! | `area.rs` | how much of a pixel does a convex polygon cover? |
 //! | `interpolate.rs` | what are depth and attributes there, and how far off is an answer in floats? |
 //! | `visible.rs` | what does a clip-space triangle cover, whatever the signs of w, without clipping? |
 //! | `picture.rs` | how does that look in a test? |
@@ -26,18 +28,22 @@
 //!
 //! Raster space has x to the right and y down; pixel (i, j) is sampled at its centre, (i + 1/2, j + 1/2).
 
+mod area;
 pub mod cases;
 mod coverage;
 mod interpolate;
+mod lines;
 mod picture;
 mod project;
 mod snap;
 mod visible;
 
+pub use area::covered_area;
 pub use coverage::{
     Point, SUBPIXELS, Triangle, Winding, coverage, covered_exactly_once, covers, hits, polygon_coverage, winding,
 };
 pub use interpolate::{barycentrics, error, error_in_ulps, interpolate, perspective};
+pub use lines::{Line, line_coverage, line_covers, point_covers};
 pub use picture::picture;
 pub use project::{project_exact, project_snapped};
 pub use snap::{Rational, rational, snap, snap_exact, snap_unambiguous, snapped_within};

@@ -39,9 +39,33 @@ pub enum Error {
         /// `indices` or `vertices`.
         what: &'static str,
     },
-    /// [`primitive_restart`](crate::DrawState::primitive_restart) for a list of triangles.
+    /// The number of a list's indices (or of vertices, without indices) is odd.
+    #[error("draw {draw}: {count} {what} do not make whole lines; give an even number")]
+    PartialLine {
+        /// The draw's number in its pass, from 0.
+        draw: usize,
+        /// How many there are.
+        count: usize,
+        /// `indices` or `vertices`.
+        what: &'static str,
+    },
+    /// A line width or point size that is NaN or out of range.
+    #[error("draw {draw}: a {field} of {value} cannot be drawn: it must lie in {least} to {most}")]
+    LineOrPointSize {
+        /// The draw's number in its pass, from 0.
+        draw: usize,
+        /// The field of [`DrawState`](crate::DrawState).
+        field: &'static str,
+        /// What it holds, in words: NaN is not equal to itself.
+        value: String,
+        /// The smallest that can be drawn.
+        least: u32,
+        /// The largest that can be drawn.
+        most: u32,
+    },
+    /// [`primitive_restart`](crate::DrawState::primitive_restart) for a list of triangles, lines or points.
     #[error(
-        "draw {draw}: a list of triangles has nothing to restart; switch `primitive_restart` off, or draw a strip or a fan"
+        "draw {draw}: a list has nothing to restart; switch `primitive_restart` off, or draw a strip, a fan or a loop"
     )]
     RestartInList {
         /// The draw's number in its pass, from 0.
@@ -59,14 +83,14 @@ pub enum Error {
         /// The number of vertices.
         vertices: usize,
     },
-    /// More than 2^32 - 1 vertices, or triangles of one instance, or instances, in one draw.
+    /// More than 2^32 - 1 vertices, or triangles, lines or points of one instance, or instances, in one draw.
     #[error("draw {draw}: {count} {what} are more than 32-bit numbers can name; split the draw")]
     TooMany {
         /// The draw's number in its pass, from 0.
         draw: usize,
         /// How many there are.
         count: usize,
-        /// `vertices`, `triangles` or `instances`; on machines of 32 bits, `vertices of all instances` or `triangles of all instances`, too.
+        /// `vertices`, `triangles`, `lines`, `points` or `instances`; on machines of 32 bits, `vertices of all instances` or `triangles of all instances`, too.
         what: &'static str,
     },
     /// A viewport with a non-finite number, a width that is not positive, a height of 0, or one that is out of range.

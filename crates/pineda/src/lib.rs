@@ -66,8 +66,11 @@
 //!
 //! # What goes in
 //!
-//! Lists of triangles, strips and fans ([`PrimitiveTopology`]), with or without [`Indices`], with [restarts](DrawState::primitive_restart), and meshes
+//! Lists of triangles, strips and fans, lines and points ([`PrimitiveTopology`]), with or without [`Indices`], with [restarts](DrawState::primitive_restart), and meshes
 //! in many [instances](Pass::draw_instanced). The same triangles are the same bits, whichever way they are given.
+//!
+//! Lines are one pixel wide by the diamond exit rule, [wide](DrawState::line_width) or [smooth](DrawState::smooth_lines), points of
+//! [any size](DrawState::point_size); triangles are drawn as their [edges or corners](PolygonMode), if one likes.
 //!
 //! # What comes out
 //!
@@ -76,7 +79,7 @@
 //!
 //! # What cannot happen
 //!
-//! No mesh, number or setting makes it panic; what is wrong is an [`Error`] before anything is drawn. A triangle with a NaN or infinite position is dropped
+//! No mesh, number or setting makes it panic; what is wrong is an [`Error`] before anything is drawn. A triangle, line or point with a NaN or infinite position is dropped
 //! and [counted](Statistics::non_finite). Working memory is bounded whatever the number of triangles ([`Settings::memory`]). What a *shader* does is up to the
 //! shader: if it panics, so does the renderer.
 
@@ -102,9 +105,9 @@ pub use depth_pyramid::DepthPyramid;
 pub use error::Error;
 pub use pass::{
     Blend, BlendComponent, BlendFactor, BlendOperation, ClearColor, ColorMask, ColorOps, ColorState, Compare, Cull,
-    DepthBias, DepthState, DrawState, DrawStatistics, FrontFace, Indices, Instanced, Load, Mesh, Pass,
-    PrimitiveTopology, ProvokingVertex, Renderer, Scissor, Space, Statistics, StencilFace, StencilOperation,
-    StencilState, Store, Viewport,
+    DepthBias, DepthState, DrawState, DrawStatistics, FrontFace, Indices, Instanced, Load, MAX_LINE_WIDTH,
+    MAX_POINT_SIZE, Mesh, Pass, PolygonMode, PrimitiveTopology, ProvokingVertex, Renderer, Scissor, Space, Statistics,
+    StencilFace, StencilOperation, StencilState, Store, Viewport,
 };
 pub use settings::{Settings, Simd, TileSize, UnknownSimd};
 pub use target::{ColorBuffer, DepthBuffer, MAX_COLORS, MAX_SIZE, NO_ID, Target, f16_to_f32, f32_to_f16};

@@ -21,6 +21,9 @@ mod occlusion;
 #[path = "../examples/raster2d.rs"]
 #[allow(dead_code, unreachable_pub, reason = "an example's main and file writing are not run here")]
 mod raster2d;
+#[path = "../examples/wireframe.rs"]
+#[allow(dead_code, unreachable_pub, reason = "an example's main and file writing are not run here")]
+mod wireframe;
 
 use pineda::{Error, Settings, Simd, TileSize};
 
@@ -83,6 +86,11 @@ fn instancing_picture() {
 fn occlusion_picture() {
     check(occlusion::draw, 0x2fe5_117b_fb39_5c88);
     check(occlusion::draw_all, 0x2fe5_117b_fb39_5c88);
+}
+
+#[test]
+fn wireframe_picture() {
+    check(wireframe::draw, 0x29bb_4da9_e7ae_7cf5);
 }
 
 fn spin(settings: Settings, frames: u32) -> u64 {

@@ -7,6 +7,7 @@
 
 use super::project::{Homogeneous, Projection, outcode};
 use super::raster_space::{GUARD_BAND, ScreenVertex};
+use crate::pass::draw_call::DrawCall;
 use crate::shading::MAX_CLIP_DISTANCES;
 
 /// A triangle gains at most one vertex a plane.
@@ -15,7 +16,7 @@ const MAX_VERTICES: usize = 3 + 6 + MAX_CLIP_DISTANCES;
 const _: () = assert!(MAX_VERTICES - 2 <= 16);
 
 /// A triangle as its vertex stage gives it.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct ClipTriangle {
     pub(crate) positions: [[f32; 4]; 3],
     pub(crate) distances: [[f32; MAX_CLIP_DISTANCES]; 3],
@@ -35,6 +36,22 @@ impl Clipped {
     pub(crate) fn triangles(&self) -> &[[ScreenVertex; 3]] {
         &self.triangles[..self.count]
     }
+}
+
+impl ClipTriangle {
+    /// Of the vertices with these numbers.
+    pub(crate) fn of(call: &dyn DrawCall, vertices: [usize; 3]) -> Self {
+        Self {
+            positions: vertices.map(|vertex| call.position(vertex)),
+            distances: vertices.map(|vertex| call.clip_distances(vertex)),
+        }
+    }
+}
+
+/// The planes that vertices can lie outside of, in the order in which they cut.
+pub(super) fn planes() -> impl Iterator<Item = u32> {
+    let of_view = [outcode::NEAR, outcode::FAR, outcode::LEFT, outcode::RIGHT, outcode::TOP, outcode::BOTTOM];
+    of_view.into_iter().chain((0..MAX_CLIP_DISTANCES).map(|k| outcode::FIRST_OWN << k))
 }
 
 /// A corner of the polygon: where it is, and its place on the raster if it is one of the triangle's own that is on it.
@@ -61,14 +78,13 @@ pub(crate) fn clip(projection: &Projection, triangle: &ClipTriangle, screen: [Sc
     };
     let mut corners = [corner(0), corner(1), corner(2)];
     let swapped = sort(&mut corners, |corner| corner.at);
-    let planes = screen[0].outcode() | screen[1].outcode() | screen[2].outcode();
+    let outside = screen[0].outcode() | screen[1].outcode() | screen[2].outcode();
 
     let mut polygon = [corners[0]; MAX_VERTICES];
     polygon[..3].copy_from_slice(&corners);
     let mut count = 3;
-    let of_view = [outcode::NEAR, outcode::FAR, outcode::LEFT, outcode::RIGHT, outcode::TOP, outcode::BOTTOM];
-    for plane in of_view.into_iter().chain((0..MAX_CLIP_DISTANCES).map(|k| outcode::FIRST_OWN << k)) {
-        if planes & plane != 0 {
+    for plane in planes() {
+        if outside & plane != 0 {
             (polygon, count) = cut(&polygon[..count], plane);
         }
     }
@@ -108,9 +124,8 @@ fn sort<T>(corners: &mut [T; 3], at: impl Fn(&T) -> Homogeneous) -> bool {
 }
 
 /// How far a point lies inside a plane; negative outside. Linear, so that it can be interpolated.
-fn distance(plane: u32, corner: &Corner) -> f64 {
-    let p = &corner.at;
-    let band = f64::from(GUARD_BAND) * p.w;
+pub(super) fn distance(plane: u32, p: &Homogeneous, distances: &[f64; MAX_CLIP_DISTANCES], guard_band: i32) -> f64 {
+    let band = f64::from(guard_band) * p.w;
     match plane {
         outcode::NEAR => p.z,
         outcode::FAR => p.w - p.z,
@@ -118,7 +133,7 @@ fn distance(plane: u32, corner: &Corner) -> f64 {
         outcode::RIGHT => band - p.x,
         outcode::TOP => band + p.y,
         outcode::BOTTOM => band - p.y,
-        own => corner.distances[(own / outcode::FIRST_OWN).trailing_zeros() as usize % MAX_CLIP_DISTANCES],
+        own => distances[(own / outcode::FIRST_OWN).trailing_zeros() as usize % MAX_CLIP_DISTANCES],
     }
 }
 
@@ -137,7 +152,8 @@ fn cut(polygon: &[Corner], plane: u32) -> ([Corner; MAX_VERTICES], usize) {
     };
     for (k, a) in polygon.iter().enumerate() {
         let b = &polygon[(k + 1) % polygon.len()];
-        let (da, db) = (distance(plane, a), distance(plane, b));
+        let distance = |corner: &Corner| distance(plane, &corner.at, &corner.distances, GUARD_BAND);
+        let (da, db) = (distance(a), distance(b));
         if da >= 0.0 {
             push(*a);
         }
@@ -169,7 +185,7 @@ fn between(inside: &Corner, outside: &Corner, di: f64, d_o: f64) -> Corner {
 }
 
 /// The raster point of a position within all planes; `None` where w is 0, which is at best a degenerate polygon's corner.
-fn to_raster(projection: &Projection, at: Homogeneous) -> Option<ScreenVertex> {
+pub(super) fn to_raster(projection: &Projection, at: Homogeneous) -> Option<ScreenVertex> {
     // A cut can land a rounding error outside of its plane.
     let band = f64::from(GUARD_BAND);
     let snap = |v: f64| (v / at.w).round_ties_even().clamp(-band, band) as i32;

@@ -9,7 +9,8 @@ use crate::math::Vec4;
 use crate::shading::packet::{PacketBatch, VaryingLayout};
 use crate::shading::run::{RECORD_HEADER, Source, record_rows};
 use crate::shading::{
-    Closure, ClosureFragment, FragmentKind, MAX_CLIP_DISTANCES, Native, OutputLayout, Outputs, Shader, Varyings, native,
+    __Layout as Layout, Closure, ClosureFragment, FragmentKind, Interpolation, MAX_CLIP_DISTANCES, Native,
+    OutputLayout, Outputs, Shader, Varyings, native,
 };
 use crate::wide::{Simd, dispatch};
 use fearless_simd::Level;
@@ -29,6 +30,10 @@ pub(crate) trait DrawCall: Sync {
     fn position(&self, vertex: usize) -> [f32; 4];
     /// Its clip distances; 0 beyond the last.
     fn clip_distances(&self, vertex: usize) -> [f32; MAX_CLIP_DISTANCES];
+    /// The size of that vertex's point, if it has one of its own.
+    fn point_size(&self, _vertex: usize) -> Option<f32> {
+        None
+    }
     /// Runs the vertex stage for the vertices at places `first_place` on, as many as there are screen vertices.
     fn run_vertices(&self, level: Level, job: VertexJob<'_>);
     /// Runs the fragment stage.
@@ -57,10 +62,27 @@ pub(crate) struct ShaderDraw<'a, Sh, G> {
     pub(crate) state: DrawState,
 }
 
+/// What is interpolated for a shader.
+trait WithPointCoord {
+    const LAYOUT: Layout;
+    const INTERPOLATION: &'static [Interpolation];
+}
+
+impl<Sh: Shader> WithPointCoord for Sh {
+    const LAYOUT: Layout = {
+        let own = Layout::EMPTY.with(<Sh::Varyings<Scalar> as Varyings<Scalar>>::INTERPOLATION, None);
+        // All over a point's square w is the same: with perspective or without is the same, too.
+        if Sh::POINT_COORD { own.with(&[Interpolation::Perspective; 2], None) } else { own }
+    };
+    const INTERPOLATION: &'static [Interpolation] = Self::LAYOUT.interpolation();
+}
+
 /// A vertex stage as a function.
 trait VertexStage<In, V> {
     /// How many clip distances it gives.
     const CLIP_DISTANCES: usize;
+    /// Whether the record ends with a point's coordinates.
+    const POINT_COORD: bool;
     fn run(&self, vertex: &In) -> (Vec4, V);
     fn clip_distances(&self, vertex: &In) -> [f32; MAX_CLIP_DISTANCES];
 }
@@ -71,6 +93,7 @@ impl<Sh: Shader> VertexStage<Sh::Vertex, Sh::Varyings<Scalar>> for Sh {
         Sh::CLIP_DISTANCES
     };
 
+    const POINT_COORD: bool = Sh::POINT_COORD;
     #[inline(always)]
     fn run(&self, vertex: &Sh::Vertex) -> (Vec4, Sh::Varyings<Scalar>) {
         self.vertex(vertex)
@@ -100,8 +123,9 @@ impl<Sh: Shader, G: Input<In = Sh::Vertex>> DrawCall for ShaderDraw<'_, Sh, G> {
     }
 
     fn layout(&self) -> VaryingLayout {
-        let interpolation = <Sh::Varyings<Scalar> as Varyings<Scalar>>::INTERPOLATION;
-        VaryingLayout::new(interpolation, <Sh as FragmentKind>::DERIVATIVES)
+        let interpolation = <Sh as WithPointCoord>::INTERPOLATION;
+        let layout = VaryingLayout::new(interpolation, <Sh as FragmentKind>::DERIVATIVES);
+        VaryingLayout { point_coord: Sh::POINT_COORD, ..layout }
     }
 
     fn discards(&self) -> bool {
@@ -120,6 +144,10 @@ impl<Sh: Shader, G: Input<In = Sh::Vertex>> DrawCall for ShaderDraw<'_, Sh, G> {
         let mut distances = self.shader.clip_distances(self.input.fetch_number(vertex).borrow());
         distances[Sh::CLIP_DISTANCES..].fill(0.0);
         distances
+    }
+
+    fn point_size(&self, vertex: usize) -> Option<f32> {
+        self.shader.point_size(self.input.fetch_number(vertex).borrow())
     }
 
     fn run_vertices(&self, level: Level, job: VertexJob<'_>) {
@@ -145,7 +173,7 @@ struct VertexClosure<'a, V>(&'a V);
 
 impl<In, T, V: Fn(&In) -> (Vec4, T)> VertexStage<In, T> for VertexClosure<'_, V> {
     const CLIP_DISTANCES: usize = 0;
-
+    const POINT_COORD: bool = false;
     #[inline(always)]
     fn run(&self, vertex: &In) -> (Vec4, T) {
         (self.0)(vertex)
@@ -223,7 +251,7 @@ fn run_vertices<S: Simd, G: Input, V: Varyings<Scalar>, St: VertexStage<G::In, V
     input: &G,
     job: VertexJob<'_>,
 ) {
-    let rows = record_rows(V::LEN);
+    let rows = record_rows(V::LEN + if St::POINT_COORD { 2 } else { 0 });
     let VertexJob { source, first_place, projection, screen, records } = job;
     if screen.is_empty() {
         return;
@@ -244,6 +272,9 @@ fn run_vertices<S: Simd, G: Input, V: Varyings<Scalar>, St: VertexStage<G::In, V
             }
             let record = records[(at + k) * rows..(at + k + 1) * rows].as_flattened_mut();
             varyings.write(bytemuck::cast_slice_mut(&mut record[RECORD_HEADER..]));
+            if St::POINT_COORD {
+                record[RECORD_HEADER + V::LEN..RECORD_HEADER + V::LEN + 2].fill(0);
+            }
             k += 1;
         }
         let mut projected = [ScreenVertex::default(); 16];

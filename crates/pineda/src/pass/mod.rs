@@ -6,15 +6,18 @@ mod colors;
 pub(crate) mod draw_call;
 mod input;
 pub(crate) mod plan;
+mod polygon_mode;
 mod primitives;
 mod render;
 mod state;
 mod statistics;
 mod stencil;
+pub(crate) mod strokes;
 mod validate;
 
 pub use blend::{Blend, BlendComponent, BlendFactor, BlendOperation, ColorMask};
 pub use colors::{ClearColor, ColorOps, ColorState, Load, Store};
+pub use polygon_mode::{MAX_LINE_WIDTH, MAX_POINT_SIZE, PolygonMode};
 pub use primitives::{Indices, Instanced, PrimitiveTopology, ProvokingVertex};
 pub use render::Renderer;
 pub use state::{Compare, Cull, DepthBias, DepthState, DrawState, FrontFace, Scissor, Space, Viewport};

@@ -1,16 +1,18 @@
 //! Cutting a pass into batches that fit the memory that it may use.
 //!
-//! A batch is a stretch of the pass's triangles, in submission order, that goes through all stages at once. Mostly there is one. Where
+//! A batch is a stretch of the pass's triangles (lines and points count as such), in submission order, that goes through all stages at once. Mostly there is one. Where
 //! there are more, each is drawn to the target before the next: the target holds all that there is between two draws, so that
 //! it makes no difference to any bit.
 
 use super::assembly::Assembly;
 use super::draw_call::DrawCall;
+use super::strokes::{self, RECORDS_EACH, StrokeRun};
 use super::validate::DrawExtent;
 use super::{Compare, DepthState, DrawState, Indices, Pass, Scissor, Viewport};
 use crate::geometry::project::Projection;
 use crate::raster::corners::Corners;
 use crate::raster::setup::PixelRect;
+use crate::raster::stroke::{Stroke, StrokeShape};
 use crate::raster::triangle_id::MAX_BATCH_TRIANGLES;
 use crate::shading::run::Source;
 use std::ops::Range;
@@ -18,6 +20,8 @@ use std::ops::Range;
 /// Bytes that a triangle takes in records and bins, about; and in the list of those that are assembled.
 const TRIANGLE_BYTES: usize = 56;
 const ASSEMBLED_BYTES: usize = 12;
+/// Bytes that a line or point takes there, about: as many records as most have.
+const STROKE_BYTES: usize = 160;
 /// Bytes of a screen vertex.
 const SCREEN_VERTEX_BYTES: usize = 16;
 /// No batch is made for less than this, and none for more: so that 32 bits can name any word of its vertex records.
@@ -28,9 +32,11 @@ const MOST_MEMORY: usize = if usize::BITS == 32 { 1 << 31 } else { 8 << 30 };
 #[derive(Clone, Debug)]
 pub(crate) struct Run<'p> {
     pub(crate) draw: usize,
-    /// The first of its triangles, as the draw counts them through all instances, and how many there are.
+    /// The first of its triangles, as the draw counts them through all instances, and how many numbers they have.
     pub(crate) first_triangle: usize,
     pub(crate) triangles: usize,
+    /// Numbers of one triangle: 1, unless it is drawn as edges or corners.
+    pub(crate) numbers_each: usize,
     /// Triangles of one instance.
     pub(crate) triangles_each: usize,
     /// The number of its first triangle in the batch.
@@ -43,6 +49,8 @@ pub(crate) struct Run<'p> {
     /// What its draw can cover.
     pub(crate) rect: PixelRect,
     pub(crate) segment: usize,
+    /// If it is drawn as lines or points.
+    pub(crate) strokes: Option<StrokeRun>,
 }
 
 /// Which vertices a run shades, and which of them its triangles have.
@@ -88,9 +96,9 @@ impl Run<'_> {
         }
     }
 
-    /// The instance that a triangle of the run belongs to, and its number there; `triangle` counts from the run's first.
-    pub(crate) fn instance_and_triangle(&self, triangle: usize) -> (usize, usize) {
-        let triangle = self.first_triangle + triangle;
+    /// The instance that a triangle of the run belongs to, and its number there; `number` counts from the run's first.
+    pub(crate) fn instance_and_triangle(&self, number: usize) -> (usize, usize) {
+        let triangle = self.first_triangle + if self.numbers_each == 1 { number } else { number / self.numbers_each };
         // Mostly there is one instance, and divisions take longer than all else that is done for a pixel's id.
         if triangle < self.triangles_each {
             return (0, triangle);
@@ -152,6 +160,8 @@ pub(crate) struct Batch<'p> {
     pub(crate) assembled: usize,
     pub(crate) screen_vertices: usize,
     pub(crate) record_rows: usize,
+    pub(crate) strokes: usize,
+    pub(crate) stroke_rows: usize,
     bytes: usize,
     /// Whether each draw is a segment of its own, so that it can be counted alone.
     counts: bool,
@@ -199,12 +209,12 @@ impl<'p> Iterator for Plan<'p> {
                 (self.draw, self.triangle) = (self.draw + 1, 0);
                 continue;
             }
+            let call = &*self.pass.draws[self.draw];
             let room = Room {
                 bytes: self.budget - batch.bytes.min(self.budget),
-                triangles: MAX_BATCH_TRIANGLES - batch.triangles,
+                triangles: (MAX_BATCH_TRIANGLES - batch.triangles) / strokes::numbers_each(call.state()),
                 is_fresh: batch.runs.is_empty(),
             };
-            let call = &*self.pass.draws[self.draw];
             let Some(piece) = piece(call, extent, self.triangle, &room, batch.assembled) else { return Some(batch) };
             self.triangle += piece.triangles;
             batch.push(call, self.draw, extent, piece, self.width, self.height);
@@ -247,7 +257,12 @@ fn piece<'p>(
             Indices::U32(_) => extent.instances > 1,
             Indices::U8(_) | Indices::U16(_) => true,
         };
-    let triangle_bytes = TRIANGLE_BYTES + if is_assembled { ASSEMBLED_BYTES } else { 0 };
+    let stroke_bytes = size_of::<Stroke>() + RECORDS_EACH * 16 * call.record_rows();
+    let triangle_bytes = match strokes::shape(call.state()) {
+        Some(_) => strokes::numbers_each(call.state()) * (stroke_bytes + STROKE_BYTES),
+        None => TRIANGLE_BYTES,
+    };
+    let triangle_bytes = triangle_bytes + if is_assembled { ASSEMBLED_BYTES } else { 0 };
     let vertex_bytes = SCREEN_VERTEX_BYTES + 16 * call.record_rows();
     let bytes = |triangles: usize, vertices: usize| {
         triangles.saturating_mul(triangle_bytes).saturating_add(vertices.saturating_mul(vertex_bytes))
@@ -357,10 +372,20 @@ impl<'p> Batch<'p> {
         if let Geometry::Shared { triangles, .. } | Geometry::Alone { triangles, .. } = &piece.geometry {
             self.assembled = triangles.end;
         }
+        let shape = strokes::shape(state);
+        let numbers_each = strokes::numbers_each(state);
+        let triangles = piece.triangles * numbers_each;
+        let strokes = shape.map(|shape| {
+            let strokes = self.strokes..self.strokes + triangles;
+            let records = self.stroke_rows..self.stroke_rows + triangles * RECORDS_EACH * call.record_rows();
+            (self.strokes, self.stroke_rows) = (strokes.end, records.end);
+            StrokeRun { shape, strokes, records }
+        });
         self.runs.push(Run {
             draw,
             first_triangle: piece.first,
-            triangles: piece.triangles,
+            triangles,
+            numbers_each,
             triangles_each: extent.triangles,
             first_number: self.triangles,
             geometry: piece.geometry,
@@ -369,8 +394,9 @@ impl<'p> Batch<'p> {
             projection: Projection::new(state.space, &viewport).with_depth_clamp(state.depth_clamp),
             rect,
             segment: self.segments.len() - 1,
+            strokes,
         });
-        self.triangles += piece.triangles;
+        self.triangles += triangles;
         self.bytes += piece.bytes;
     }
 
@@ -386,7 +412,8 @@ fn kind(state: &DrawState, discards: bool, outputs: usize, run: usize) -> Segmen
     let DepthState { compare, write } = state.depth;
     // Only what leaves its depth behind may wait: else the visibility buffer would not know the depth of what it shows.
     let leaves_depth = write || compare == Compare::Equal;
-    if state.stencil.is_some() || discards || !leaves_depth {
+    let is_smooth = matches!(strokes::shape(state), Some(StrokeShape::Smooth { .. }));
+    if is_smooth || state.stencil.is_some() || discards || !leaves_depth {
         SegmentKind::Ordered { run }
     } else if state.writes_no_color(outputs) {
         SegmentKind::DepthOnly

@@ -1,6 +1,6 @@
-//! Which vertices make which triangles, and what of them a `flat` varying shows: the words that a user says it with.
+//! Which vertices make which primitives, and what of them a `flat` varying shows: the words that a user says it with.
 
-/// Which vertices a draw's triangles are made of.
+/// Which vertices a draw's primitives are made of.
 #[derive(Clone, Copy, Debug, Default)]
 pub enum Indices<'a> {
     /// All vertices, in their order.
@@ -14,7 +14,7 @@ pub enum Indices<'a> {
     U32(&'a [u32]),
 }
 
-/// How a row of vertices makes triangles, as in Vulkan.
+/// How a row of vertices makes triangles, lines or points, as in Vulkan.
 ///
 /// With a row `v0, v1, v2, ...`, which is the vertices themselves or what the [`Indices`] name, triangle `i` has these vertices:
 ///
@@ -30,6 +30,10 @@ pub enum Indices<'a> {
 /// they are given.
 ///
 /// A strip or fan of fewer than three vertices is no triangle; a list must hold whole ones.
+///
+/// Line `i` goes from `v[2i]` to `v[2i + 1]` in a list, from `v[i]` to `v[i + 1]` in a strip; a loop has one more, from the last vertex back to the
+/// first. Its first vertex provokes, or its end with [`ProvokingVertex::Last`]. How lines become pixels is told at
+/// [`DrawState::line_width`](crate::DrawState::line_width), how points do at [`DrawState::point_size`](crate::DrawState::point_size).
 ///
 /// A strip, four corners for two triangles:
 ///
@@ -79,9 +83,53 @@ pub enum PrimitiveTopology {
     TriangleStrip,
     /// Each vertex with the one before it and the first.
     TriangleFan,
+    /// Each vertex a point.
+    PointList,
+    /// Two vertices each.
+    LineList,
+    /// Each vertex with the one before it.
+    LineStrip,
+    /// The same, and the last one with the first: a strip that is closed, each of them where [restarts](crate::DrawState::primitive_restart) make
+    /// several. Of two vertices it is two lines, of one none.
+    LineLoop,
 }
 
-/// Which vertex of a triangle a `#[flat]` varying has its value from.
+impl PrimitiveTopology {
+    /// Every topology.
+    pub const ALL: [Self; 7] = [
+        Self::TriangleList,
+        Self::TriangleStrip,
+        Self::TriangleFan,
+        Self::PointList,
+        Self::LineList,
+        Self::LineStrip,
+        Self::LineLoop,
+    ];
+
+    /// Whether each primitive has vertices of its own, so that there is nothing to restart.
+    pub(crate) fn is_list(self) -> bool {
+        matches!(self, Self::TriangleList | Self::PointList | Self::LineList)
+    }
+
+    /// What its primitives are called.
+    pub(crate) fn plural(self) -> &'static str {
+        match self {
+            Self::TriangleList | Self::TriangleStrip | Self::TriangleFan => "triangles",
+            Self::PointList => "points",
+            Self::LineList | Self::LineStrip | Self::LineLoop => "lines",
+        }
+    }
+
+    pub(crate) fn is_of_triangles(self) -> bool {
+        matches!(self, Self::TriangleList | Self::TriangleStrip | Self::TriangleFan)
+    }
+
+    pub(crate) fn is_of_lines(self) -> bool {
+        matches!(self, Self::LineList | Self::LineStrip | Self::LineLoop)
+    }
+}
+
+/// Which vertex of a triangle or a line a `#[flat]` varying has its value from. A point has but one.
 ///
 /// ```
 /// use pineda::*;
@@ -109,10 +157,10 @@ pub enum PrimitiveTopology {
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum ProvokingVertex {
-    /// The first, as in Vulkan, WebGPU and Direct3D: vertex `i` of a strip's triangle `i`, vertex `i + 1` of a fan's.
+    /// The first, as in Vulkan, WebGPU and Direct3D: vertex `i` of a strip's triangle or line `i`, vertex `i + 1` of a fan's.
     #[default]
     First,
-    /// The last, as in OpenGL: vertex `i + 2` of a strip's or fan's triangle `i`.
+    /// The last, as in OpenGL: vertex `i + 2` of a strip's or fan's triangle `i`, vertex `i + 1` of a strip's line `i`.
     Last,
 }
 

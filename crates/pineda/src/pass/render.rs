@@ -4,21 +4,24 @@ use super::assembly::Assembly;
 use super::colors::{Store, check};
 use super::draw_call::VertexJob;
 use super::plan::{Batch, Geometry, Plan, Run, plan};
+use super::strokes::{Expansion, RECORDS_EACH, StrokeRun};
 use super::validate::{DrawExtent, validate};
-use super::{Cull, DrawStatistics, FrontFace, Pass, Statistics};
+use super::{Cull, DrawStatistics, FrontFace, Pass, ProvokingVertex, Statistics};
 use crate::geometry::clip::ClipTriangle;
 use crate::geometry::raster_space::ScreenVertex;
 use crate::raster::bins::{Share, TileGrid};
+use crate::raster::corners::Corners;
 use crate::raster::depth_bias::Bias;
-use crate::raster::setup::{SetupState, setup};
-use crate::shading::run::RunView;
+use crate::raster::setup::SetupState;
+use crate::raster::stroke::{Stroke, StrokeState, set_up_strokes, set_up_triangles};
+use crate::shading::run::{RunView, Source};
+use crate::shading::strokes::StrokeView;
 use crate::target::ColorBuffer;
 use crate::target::bands::Bands;
 use crate::target::depth::{DepthBuffer, DepthFormat, loaded_depth};
 use crate::target::format::ColorFormat;
 use crate::tile::paint::{Painter, Painting, Start, Wants};
 use crate::tile::queue::TileQueue;
-use crate::wide::dispatch;
 use crate::{Error, Settings, Target, parallel};
 use fearless_simd::Level;
 
@@ -31,6 +34,8 @@ pub struct Renderer {
     assembled: Vec<[u32; 3]>,
     screen: Vec<ScreenVertex>,
     records: Vec<[u32; 4]>,
+    strokes: Vec<Stroke>,
+    stroke_records: Vec<[u32; 4]>,
     shares: Vec<Share>,
     painters: Vec<Painter>,
     /// The depth between flushes, for targets without a depth buffer.
@@ -43,6 +48,8 @@ pub struct Renderer {
 const ASSEMBLED_PER_JOB: usize = 1 << 15;
 /// Vertices that one job shades.
 const VERTICES_PER_JOB: usize = 4096;
+/// Lines or points that one job makes; those of a triangle stay together.
+const STROKES_PER_JOB: usize = 3 * 1024;
 /// Triangles below which another share is not worth its bins.
 const LEAST_SHARE: usize = 512;
 
@@ -60,6 +67,8 @@ impl Renderer {
             assembled: Vec::new(),
             screen: Vec::new(),
             records: Vec::new(),
+            strokes: Vec::new(),
+            stroke_records: Vec::new(),
             shares: Vec::new(),
             painters: Vec::new(),
             depth: Vec::new(),
@@ -121,6 +130,7 @@ impl Renderer {
         for (flush, batch) in std::iter::once(first).chain(others).enumerate() {
             self.assemble(pass, &extents, &batch);
             self.run_vertices(pass, &batch);
+            self.expand(pass, &batch, target.depth.format());
             self.set_up(pass, &batch, grid, target.depth.format(), draws.is_some());
             self.paint(pass, &batch, grid, &mut target, flush == 0);
             if let Some(draws) = draws.as_deref_mut() {
@@ -143,7 +153,10 @@ impl Renderer {
     ) -> Result<usize, Error> {
         let (mut flushes, mut assembled) = (1, first.assembled);
         let (mut screen, mut records) = (first.screen_vertices, first.record_rows);
+        let (mut strokes, mut stroke_rows) = (first.strokes, first.stroke_rows);
         for batch in others {
+            strokes = batch.strokes.max(strokes);
+            stroke_rows = batch.stroke_rows.max(stroke_rows);
             flushes += 1;
             assembled = batch.assembled.max(assembled);
             screen = batch.screen_vertices.max(screen);
@@ -152,6 +165,8 @@ impl Renderer {
         grow(&mut self.assembled, assembled, "triangles of strips, fans and instances")?;
         grow(&mut self.screen, screen, "projected vertices")?;
         grow(&mut self.records, records, "vertex records")?;
+        grow(&mut self.strokes, strokes, "lines and points")?;
+        grow(&mut self.stroke_records, stroke_rows, "vertex records of lines and points")?;
         let pixels = target.width as usize * target.height as usize;
         if flushes > 1 && target.depth.is_none() {
             grow(&mut self.depth, pixels, "depth between flushes")?;
@@ -233,12 +248,44 @@ impl Renderer {
         });
     }
 
+    /// Lines and points, from the vertices that they have.
+    fn expand(&mut self, pass: &Pass<'_>, batch: &Batch<'_>, format: DepthFormat) {
+        let mut jobs = Vec::new();
+        let (mut strokes, mut records) = (&mut self.strokes[..], &mut self.stroke_records[..]);
+        for run in &batch.runs {
+            let Some(stroke_run) = &run.strokes else { continue };
+            let call = &*pass.draws[run.draw];
+            let expansion = Expansion {
+                call,
+                shape: stroke_run.shape,
+                projection: &run.projection,
+                corners: run.corners(&self.assembled),
+                source: run.source(&self.assembled),
+                screen: &self.screen[run.screen.clone()],
+                records: &self.records[run.records.clone()],
+                bias: Bias::new(&call.state().depth_bias, format),
+            };
+            for first in (0..run.triangles).step_by(STROKES_PER_JOB) {
+                let count = (run.triangles - first).min(STROKES_PER_JOB);
+                let (own_strokes, own_records);
+                (own_strokes, strokes) = strokes.split_at_mut(count);
+                (own_records, records) = records.split_at_mut(count * RECORDS_EACH * call.record_rows());
+                jobs.push((expansion, first / run.numbers_each, own_strokes, own_records));
+            }
+        }
+        let mut workers = vec![(); self.threads];
+        parallel::for_each(&mut workers, jobs.into_iter(), |(), (expansion, first, strokes, records)| {
+            expansion.run(first, strokes, records);
+        });
+    }
+
     /// Setup and binning: each share takes its stretch of the batch's triangles.
     fn set_up(&mut self, pass: &Pass<'_>, batch: &Batch<'_>, grid: TileGrid, format: DepthFormat, counts: bool) {
         let count = batch.triangles.div_ceil(LEAST_SHARE).clamp(1, self.threads);
         self.shares.resize_with(count, Share::default);
         let size = batch.triangles.div_ceil(count).next_multiple_of(16);
         let (level, screen, assembled) = (self.level, &self.screen[..], &self.assembled[..]);
+        let strokes = &self.strokes[..];
         let shares = self.shares.iter_mut().enumerate();
         parallel::for_each(&mut vec![(); self.threads], shares, |(), (k, share)| {
             share.reset(&grid);
@@ -250,11 +297,22 @@ impl Renderer {
                     break;
                 }
                 let call = &pass.draws[run.draw];
+                if let Some(stroke_run) = &run.strokes {
+                    let (shape, rect, projection) = (stroke_run.shape, run.rect, &run.projection);
+                    let state = StrokeState { level, grid, rect, shape, projection };
+                    let end = end - run.first_number;
+                    let before = share.statistics;
+                    share.statistics.count(call.state().topology, start, end, run.numbers_each);
+                    share.start_segment(run.segment);
+                    let strokes = &strokes[stroke_run.strokes.clone()][start..end];
+                    set_up_strokes(&state, strokes, run.first_number + start, share);
+                    if counts {
+                        share.count(run.draw, &before);
+                    }
+                    continue;
+                }
                 let (corners, source) = (run.corners(assembled), run.source(assembled));
-                let vertices = |places: [usize; 3]| ClipTriangle {
-                    positions: places.map(|place| call.position(source.vertex(place))),
-                    distances: places.map(|place| call.clip_distances(source.vertex(place))),
-                };
+                let vertices = |places: [usize; 3]| ClipTriangle::of(&**call, places.map(|place| source.vertex(place)));
                 let (cull_clockwise, cull_counter_clockwise) = culled(call.state().cull, call.state().front_face);
                 let bias = Bias::new(&call.state().depth_bias, format);
                 let state = SetupState {
@@ -264,13 +322,14 @@ impl Renderer {
                     cull_counter_clockwise,
                     bias,
                     counts,
+                    numbered_in_pairs: false,
                     projection: &run.projection,
                     vertices: &vertices,
                 };
                 share.start_segment(run.segment);
                 let (range, screen) = (start..end - run.first_number, &screen[run.screen.clone()]);
                 let before = share.statistics;
-                dispatch!(level, s => setup(s, &state, &corners, screen, range, run.first_number, share));
+                set_up_triangles(level, &state, &corners, screen, range, run.first_number, share);
                 if counts {
                     share.count(run.draw, &before);
                 }
@@ -294,7 +353,7 @@ impl Renderer {
 
     /// Coverage, depth and shading, tile by tile.
     fn paint(&mut self, pass: &Pass<'_>, batch: &Batch<'_>, grid: TileGrid, target: &mut Target<'_>, is_first: bool) {
-        let view = |run| view(pass, run, &self.assembled, &self.records);
+        let view = |run| view(pass, run, &self.assembled, &self.records, &self.strokes, &self.stroke_records);
         let runs: Vec<RunView<'_>> = batch.runs.iter().map(view).collect();
         let (width, height) = (target.width, target.height);
         let wants = Wants {
@@ -353,9 +412,16 @@ fn copy_instances(first: &[[u32; 3]], out: &mut [[u32; 3]], mut offset: u32, ver
 }
 
 /// What shading sees of a run.
-fn view<'a>(pass: &Pass<'_>, run: &'a Run<'_>, assembled: &'a [[u32; 3]], records: &'a [[u32; 4]]) -> RunView<'a> {
+fn view<'a>(
+    pass: &Pass<'_>,
+    run: &'a Run<'_>,
+    assembled: &'a [[u32; 3]],
+    records: &'a [[u32; 4]],
+    all_strokes: &'a [Stroke],
+    stroke_records: &'a [[u32; 4]],
+) -> RunView<'a> {
     let state = pass.draws[run.draw].state();
-    RunView {
+    let plain = RunView {
         corners: run.corners(assembled),
         source: run.source(assembled),
         first_number: run.first_number,
@@ -363,6 +429,25 @@ fn view<'a>(pass: &Pass<'_>, run: &'a Run<'_>, assembled: &'a [[u32; 3]], record
         projection: &run.projection,
         front_is_clockwise: state.front_face == FrontFace::Clockwise,
         provoking: state.provoking_vertex,
+        strokes: None,
+    };
+    match &run.strokes {
+        None => plain,
+        // Three records each, the provoking one first; which side they show is in their codes.
+        Some(StrokeRun { shape, strokes, records }) => RunView {
+            corners: Corners::Sequential,
+            source: Source::Range(0),
+            records: &stroke_records[records.clone()],
+            front_is_clockwise: true,
+            provoking: ProvokingVertex::First,
+            strokes: Some(StrokeView {
+                shape: *shape,
+                strokes: &all_strokes[strokes.clone()],
+                is_of_triangles: state.topology.is_of_triangles(),
+                provoking: state.provoking_vertex,
+            }),
+            ..plain
+        },
     }
 }
 

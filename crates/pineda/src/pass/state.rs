@@ -1,6 +1,6 @@
 //! The fixed-function settings of a draw: plain structs with defaults.
 
-use super::{Blend, ColorMask, ColorState, PrimitiveTopology, ProvokingVertex, StencilState};
+use super::{Blend, ColorMask, ColorState, PolygonMode, PrimitiveTopology, ProvokingVertex, StencilState};
 use crate::target::MAX_COLORS;
 
 /// Everything about a draw that is not its shader or its mesh.
@@ -13,12 +13,100 @@ use crate::target::MAX_COLORS;
 pub struct DrawState {
     /// The space that the vertex stage's positions are in.
     pub space: Space,
-    /// How vertices make triangles.
+    /// How vertices make triangles, lines or points.
     pub topology: PrimitiveTopology,
-    /// Whether the largest index that there can be (0xff, 0xffff or 0xffff_ffff, by the type of the indices) names no vertex but ends a strip or a fan:
+    /// What is drawn of triangles: all of them, their edges, or their corners.
+    pub polygon_mode: PolygonMode,
+    /// Pixels across a line, 1 to [`MAX_LINE_WIDTH`](crate::MAX_LINE_WIDTH).
+    ///
+    /// A line of width 1 is drawn by the *diamond exit* rule: of the pixels around whose centres there is a diamond, |dx| + |dy| < 1/2, it covers those
+    /// whose diamonds it leaves. So a strip of lines covers the pixel at a joint once, and a line covers one pixel in each column, or row, that
+    /// it passes. Ties are decided as if both ends lay a little further left and, far less, further up, as in OpenGL and Vulkan, and as the
+    /// top-left rule has it. All of it is done in integers: see `crates/pineda/src/raster/diamond_exit.rs`.
+    ///
+    /// A wider one is a rectangle, with ends at right angles where the line ends (Vulkan's rectangular lines), drawn by the rules for triangles.
+    /// Its corners are snapped to 1/256 pixel.
+    ///
+    /// Along a line, varyings are interpolated between its ends as its distance in perspective, `#[noperspective]` ones and depth as the distance on the picture;
+    /// what counts is the nearest point of the line to the pixel's centre. Where that lies beyond an end, which happens to the first and last pixel of a line of
+    /// width 1, values are extrapolated. Derivatives are those of the same function: across the line nothing changes.
+    ///
+    /// ```
+    /// use pineda::*;
+    /// let corners = [[2.5, 2.5], [12.5, 2.5], [12.5, 9.5], [2.5, 9.5]];
+    /// let mut hits = vec![0; 16 * 12];
+    /// // Of the wide ones, 9 pixels at the corners are in two lines.
+    /// for (line_width, expected) in [(1.0, 2 * 10 + 2 * 7), (3.0, 3 * (2 * 10 + 2 * 7) - 9)] {
+    ///     let mut pass = Pass::new();
+    ///     pass.draw_with(
+    ///         Mesh { vertices: &corners, indices: Indices::Sequential },
+    ///         DrawState { topology: PrimitiveTopology::LineLoop, line_width, space: Space::Raster, ..DrawState::default() },
+    ///         |&[x, y]| (Vec4::from([x, y, 0.0, 1.0]), ()),
+    ///         |f| Rgba::gray(f.splat(1.0)),
+    ///     );
+    ///     let mut target = Target { hits: Some(&mut hits), ..Target::new(16, 12) };
+    ///     Renderer::new(Settings::default())?.render(&pass, &mut target)?;
+    ///     assert_eq!(hits.iter().filter(|&&hits| hits > 0).count(), expected);
+    /// }
+    /// # Ok::<(), Error>(())
+    /// ```
+    pub line_width: f32,
+    /// Whether lines are smooth: the alpha of each fragment is multiplied by the part of its pixel that the line's rectangle covers, whatever the width.
+    ///
+    /// It wants blending ([`Blend::ALPHA`](crate::Blend::ALPHA)), and mostly no writing of depth; such draws are shaded fragment by fragment, in order. The part is that of
+    /// the rectangle with corners snapped to 1/256 pixel, rounded to f32. Every pixel that the rectangle touches is covered.
+    ///
+    /// ```
+    /// use pineda::*;
+    /// let mut pass = Pass::new();
+    /// pass.draw_with(
+    ///     Mesh { vertices: &[[2.0, 4.25], [6.5, 4.25]], indices: Indices::Sequential },
+    ///     DrawState {
+    ///         topology: PrimitiveTopology::LineList,
+    ///         smooth_lines: true,
+    ///         blend: Blend::ALPHA,
+    ///         space: Space::Raster,
+    ///         ..DrawState::default()
+    ///     },
+    ///     |&[x, y]| (Vec4::from([x, y, 0.0, 1.0]), ()),
+    ///     |f| Rgba::gray(f.splat(1.0)),
+    /// );
+    /// let mut pixels = vec![[0.0; 4]; 8 * 8];
+    /// let mut target = Target { color: ColorBuffer::Rgba32F(&mut pixels), ..Target::new(8, 8) };
+    /// Renderer::new(Settings::default())?.render(&pass, &mut target)?;
+    /// // From 3.75 to 4.75: a quarter of the row above, three quarters of the row below; the last pixel is half covered.
+    /// assert_eq!([3, 4].map(|row| pixels[8 * row + 5][3]), [0.25, 0.75]);
+    /// assert_eq!([3, 4].map(|row| pixels[8 * row + 6][3]), [0.125, 0.375]);
+    /// # Ok::<(), Error>(())
+    /// ```
+    pub smooth_lines: bool,
+    /// The side of a point in pixels, 0 to [`MAX_POINT_SIZE`](crate::MAX_POINT_SIZE).
+    ///
+    /// A point is a square around its vertex, drawn by the rules for triangles: a pixel is covered if its centre lies in the square, on its left or on its
+    /// top border. The size is rounded to 1/256 pixel. It is drawn if its vertex lies between the near and the far plane, whichever part of the square
+    /// is in the picture. What is interpolated is the vertex's all over the square; where in the square a fragment lies says
+    /// [`f.point_coord()`](crate::Frag::point_coord). Points of several sizes in one draw are [`Shader::point_size`](crate::Shader::point_size)'s.
+    ///
+    /// ```
+    /// use pineda::*;
+    /// let mut pass = Pass::new();
+    /// pass.draw_with(
+    ///     Mesh { vertices: &[[8.0, 6.0], [0.0, 0.0]], indices: Indices::Sequential },
+    ///     DrawState { topology: PrimitiveTopology::PointList, point_size: 6.0, space: Space::Raster, ..DrawState::default() },
+    ///     |&[x, y]| (Vec4::from([x, y, 0.0, 1.0]), ()),
+    ///     |f| Rgba::gray(f.splat(1.0)),
+    /// );
+    /// let mut hits = vec![0; 16 * 12];
+    /// let mut target = Target { hits: Some(&mut hits), ..Target::new(16, 12) };
+    /// Renderer::new(Settings::default())?.render(&pass, &mut target)?;
+    /// assert_eq!(hits.iter().sum::<u32>(), 6 * 6 + 3 * 3, "of the second, a quarter is in the picture");
+    /// # Ok::<(), Error>(())
+    /// ```
+    pub point_size: f32,
+    /// Whether the largest index that there can be (0xff, 0xffff or 0xffff_ffff, by the type of the indices) names no vertex but ends a strip, a fan or a loop:
     /// the next index begins another one.
     ///
-    /// Triangles are counted over all strips or fans of the draw, and only those that exist: one of n vertices has n - 2, and one of fewer than three none.
+    /// Triangles or lines are counted over all strips, fans or loops of the draw, and only those that exist: a strip of triangles of n vertices has n - 2, and one of fewer than three none.
     /// Without indices there is nothing to restart; with a list it is an [error](crate::Error::RestartInList).
     ///
     /// ```
@@ -44,15 +132,15 @@ pub struct DrawState {
     /// # Ok::<(), Error>(())
     /// ```
     pub primitive_restart: bool,
-    /// Which vertex of a triangle `#[flat]` varyings have their value from.
+    /// Which vertex of a triangle or line `#[flat]` varyings have their value from.
     pub provoking_vertex: ProvokingVertex,
-    /// Which faces are left out.
+    /// Which faces are left out. Lines and points have no faces; the edges and corners of a triangle are left out with it.
     pub cull: Cull,
     /// Which winding is the front.
     pub front_face: FrontFace,
     /// The depth test.
     pub depth: DepthState,
-    /// By how much depths are moved before they are tested.
+    /// By how much the depths of triangles are moved before they are tested; of a triangle's edges and corners as much as of the triangle.
     pub depth_bias: DepthBias,
     /// Whether what lies before the near plane or beyond the far one is drawn, with the nearest or farthest depth of the viewport, instead of
     /// being clipped. What lies behind the eye is clipped nevertheless.
@@ -84,6 +172,10 @@ impl DrawState {
     pub const DEFAULT: Self = Self {
         space: Space::Clip,
         topology: PrimitiveTopology::TriangleList,
+        polygon_mode: PolygonMode::Fill,
+        line_width: 1.0,
+        smooth_lines: false,
+        point_size: 1.0,
         primitive_restart: false,
         provoking_vertex: ProvokingVertex::First,
         cull: Cull::None,

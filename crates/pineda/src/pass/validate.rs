@@ -1,8 +1,8 @@
 //! What can be wrong with draws, found before anything is drawn.
 
-use super::assembly::{Assembly, Row, STRETCH, Stretch, StretchSummary, stretches, summarize};
+use super::assembly::{Assembly, Row, STRETCH, Stretch, StretchSummary, Strip, stretches, summarize};
 use super::draw_call::DrawCall;
-use super::{Indices, Pass, PrimitiveTopology};
+use super::{Indices, MAX_LINE_WIDTH, MAX_POINT_SIZE, Pass, PrimitiveTopology};
 use crate::wide::dispatch;
 use crate::{Error, parallel};
 use fearless_simd::Level;
@@ -11,7 +11,7 @@ use std::sync::{Mutex, PoisonError};
 /// What planning needs of a draw.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct DrawExtent {
-    /// Triangles of one instance.
+    /// Triangles of one instance, or lines, or points.
     pub(crate) triangles: usize,
     /// Those of its vertices that indices name lie within.
     pub(crate) vertices: std::ops::Range<usize>,
@@ -30,7 +30,7 @@ enum Chunk<'a> {
     U16(&'a [u16]),
     U32(&'a [u32]),
     /// The chunk that begins at a place, with a summary to be written for each stretch.
-    Restarting(Indices<'a>, usize, &'a mut [StretchSummary]),
+    Restarting(Indices<'a>, Strip, usize, &'a mut [StretchSummary]),
 }
 
 /// Checks all draws; with an error, the first draw's.
@@ -47,8 +47,8 @@ pub(crate) fn validate(pass: &Pass<'_>, level: Level, threads: usize) -> Result<
     for (draw, (call, summaries)) in pass.draws.iter().zip(&mut summaries).enumerate() {
         let mut add = |chunk| chunks.push((draw, chunk));
         if !summaries.is_empty() {
-            let parts = summaries.chunks_mut(CHUNK / STRETCH).enumerate();
-            parts.for_each(|(k, part)| add(Chunk::Restarting(call.indices(), k * CHUNK, part)));
+            let (parts, strip) = (summaries.chunks_mut(CHUNK / STRETCH).enumerate(), Strip::of(call.state().topology));
+            parts.for_each(|(k, part)| add(Chunk::Restarting(call.indices(), strip, k * CHUNK, part)));
             continue;
         }
         match call.indices() {
@@ -64,11 +64,11 @@ pub(crate) fn validate(pass: &Pass<'_>, level: Level, threads: usize) -> Result<
             Chunk::U8(indices) => dispatch!(level, _s => smallest_and_largest(indices)),
             Chunk::U16(indices) => dispatch!(level, _s => smallest_and_largest(indices)),
             Chunk::U32(indices) => dispatch!(level, _s => smallest_and_largest(indices)),
-            Chunk::Restarting(indices, first, out) => match indices {
+            Chunk::Restarting(indices, strip, first, out) => match indices {
                 Indices::Sequential => return,
-                Indices::U8(indices) => summarize_all(indices, indices.len(), first, out),
-                Indices::U16(indices) => summarize_all(indices, indices.len(), first, out),
-                Indices::U32(indices) => summarize_all(indices, indices.len(), first, out),
+                Indices::U8(indices) => summarize_all(indices, indices.len(), strip, first, out),
+                Indices::U16(indices) => summarize_all(indices, indices.len(), strip, first, out),
+                Indices::U32(indices) => summarize_all(indices, indices.len(), strip, first, out),
             },
         };
         let range = &mut named.lock().unwrap_or_else(PoisonError::into_inner)[draw];
@@ -78,8 +78,9 @@ pub(crate) fn validate(pass: &Pass<'_>, level: Level, threads: usize) -> Result<
     for (draw, (extent, (low, high))) in extents.iter_mut().zip(named).enumerate() {
         let call = &*pass.draws[draw];
         if !summaries[draw].is_empty() {
-            (extent.stretches, extent.triangles) = stretches(&summaries[draw], length(call));
-            fits(draw, extent.triangles, "triangles")?;
+            let strip = Strip::of(call.state().topology);
+            (extent.stretches, extent.triangles) = stretches(&summaries[draw], length(call), strip);
+            fits(draw, extent.triangles, call.state().topology.plural())?;
         }
         if matches!(call.indices(), Indices::Sequential) {
             continue;
@@ -103,20 +104,40 @@ fn extent(draw: usize, call: &(dyn DrawCall + '_)) -> Result<DrawExtent, Error> 
     }
     state.depth_bias.validate().map_err(|field| Error::DepthBias { draw, field })?;
     let (vertices, instances, count) = (call.vertex_count(), call.instance_count(), length(call));
-    let triangles = if state.topology == PrimitiveTopology::TriangleList {
-        if state.primitive_restart {
-            return Err(Error::RestartInList { draw });
+    for (field, value, least, most) in
+        [("line_width", state.line_width, 1, MAX_LINE_WIDTH), ("point_size", state.point_size, 0, MAX_POINT_SIZE)]
+    {
+        if !(least as f32..=most as f32).contains(&value) {
+            let value = value.to_string();
+            return Err(Error::LineOrPointSize { draw, field, value, least, most });
         }
-        if !count.is_multiple_of(3) {
-            let what = if matches!(call.indices(), Indices::Sequential) { "vertices" } else { "indices" };
+    }
+    if state.topology.is_list() && state.primitive_restart {
+        return Err(Error::RestartInList { draw });
+    }
+    let what = if matches!(call.indices(), Indices::Sequential) { "vertices" } else { "indices" };
+    let triangles = match state.topology {
+        PrimitiveTopology::TriangleList if !count.is_multiple_of(3) => {
             return Err(Error::PartialTriangle { draw, count, what });
         }
-        count / 3
-    } else {
-        count.saturating_sub(2)
+        PrimitiveTopology::LineList if !count.is_multiple_of(2) => {
+            return Err(Error::PartialLine { draw, count, what });
+        }
+        PrimitiveTopology::TriangleList => count / 3,
+        PrimitiveTopology::TriangleStrip | PrimitiveTopology::TriangleFan => count.saturating_sub(2),
+        PrimitiveTopology::PointList => count,
+        PrimitiveTopology::LineList => count / 2,
+        PrimitiveTopology::LineStrip => count.saturating_sub(1),
+        PrimitiveTopology::LineLoop => {
+            if count < 2 {
+                0
+            } else {
+                count
+            }
+        }
     };
     fits(draw, vertices, "vertices")?;
-    fits(draw, triangles, "triangles")?;
+    fits(draw, triangles, state.topology.plural())?;
     fits(draw, instances, "instances")?;
     // They do where a size has 64 bits.
     for (each, what) in [(vertices, "vertices of all instances"), (triangles, "triangles of all instances")] {
@@ -134,12 +155,7 @@ fn fits(draw: usize, count: usize, what: &'static str) -> Result<(), Error> {
 
 /// Of the row that a draw's triangles are made from: indices, or vertices.
 fn length(call: &(dyn DrawCall + '_)) -> usize {
-    match call.indices() {
-        Indices::Sequential => call.vertex_count(),
-        Indices::U8(indices) => indices.len(),
-        Indices::U16(indices) => indices.len(),
-        Indices::U32(indices) => indices.len(),
-    }
+    Assembly::of(call).length
 }
 
 fn out_of_range(draw: usize, call: &(dyn DrawCall + '_)) -> Error {
@@ -174,11 +190,11 @@ fn smallest_and_largest<T: Copy + Ord + Into<u32>>(indices: &[T]) -> (u32, u32) 
 }
 
 /// The summaries of the stretches from `first` on, and the smallest and largest index that is no restart.
-fn summarize_all<R: Row>(row: R, length: usize, first: usize, out: &mut [StretchSummary]) -> (u32, u32) {
+fn summarize_all<R: Row>(row: R, length: usize, strip: Strip, first: usize, out: &mut [StretchSummary]) -> (u32, u32) {
     let (mut low, mut high) = (u32::MAX, 0);
     for (k, summary) in out.iter_mut().enumerate() {
         let begin = first + k * STRETCH;
-        let (own, own_low, own_high) = summarize(row, begin..length.min(begin + STRETCH));
+        let (own, own_low, own_high) = summarize(row, begin..length.min(begin + STRETCH), strip);
         *summary = own;
         (low, high) = (low.min(own_low), high.max(own_high));
     }

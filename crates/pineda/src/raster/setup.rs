@@ -42,6 +42,8 @@ pub(crate) struct SetupState<'a> {
     pub(crate) bias: Option<Bias>,
     /// Whether degenerate and culled triangles are counted.
     pub(crate) counts: bool,
+    /// Whether two triangles, the halves of a rectangle, have one number.
+    pub(crate) numbered_in_pairs: bool,
     pub(crate) projection: &'a Projection,
     /// Runs a draw's vertex stage again, for a triangle that needs clipping: its vertices by their places.
     pub(crate) vertices: &'a (dyn Fn([usize; 3]) -> ClipTriangle + Sync),
@@ -63,7 +65,11 @@ pub(crate) fn setup<S: Simd>(
     while t < range.end {
         let count = (range.end - t).min(16);
         let triangles = Sixteen::load(s, corners, screen, t, count);
-        let ids = lane_numbers(s, 1 << ORDER_BITS) + TriangleId::first(first_number + t) as i32;
+        let mut ids = lane_numbers(s, 1 << ORDER_BITS) + TriangleId::first(first_number + t) as i32;
+        if state.numbered_in_pairs {
+            let numbers = (lane_numbers(s, 1) + t as i32) >> 1;
+            ids = (numbers << ORDER_BITS) + TriangleId::first(first_number) as i32;
+        }
         let mut todo = (1u64 << count) - 1;
         let mut off = off_raster(s, &triangles) & todo;
         // Mostly once. A triangle that needs care is taken between those before and those after it.

@@ -2,7 +2,7 @@
 
 use super::Shader;
 use crate::lanes::Lanes;
-use crate::math::{Bool, Real, Splat};
+use crate::math::{Bool, Real, Splat, Vec2};
 use core::marker::PhantomData;
 use core::ops::Deref;
 
@@ -36,6 +36,8 @@ pub(crate) struct FragParts<L: Lanes, V> {
     pub(crate) y: Real<L>,
     /// Depth, 0 to 1.
     pub(crate) z: Real<L>,
+    /// The place in a point's square; anything if the stage does not ask for it.
+    pub(crate) point_coord: Vec2<L>,
     /// Whether the triangle shows its front.
     pub(crate) front_facing: Bool<L>,
     /// The lanes that cover something, less those that the stage discards.
@@ -51,11 +53,14 @@ pub trait FragmentKind {
     const DISCARDS: bool;
     /// See [`Shader::DERIVATIVES`].
     const DERIVATIVES: bool;
+    /// See [`Shader::POINT_COORD`].
+    const POINT_COORD: bool;
 }
 
 impl<Sh: Shader> FragmentKind for Sh {
     const DISCARDS: bool = Sh::DISCARDS;
     const DERIVATIVES: bool = Sh::DERIVATIVES;
+    const POINT_COORD: bool = Sh::POINT_COORD;
 }
 
 impl<L: Lanes, V: Copy, K> Frag<L, V, K> {
@@ -89,7 +94,8 @@ impl<L: Lanes, V: Copy, K> Frag<L, V, K> {
         self.parts.z
     }
 
-    /// Whether the triangle turns its front to the viewer, as the draw's `front_face` has it.
+    /// Whether the triangle turns its front to the viewer, as the draw's `front_face` has it. Lines and points always do; the edges and corners
+    /// of a triangle as the triangle does.
     #[inline(always)]
     pub fn front_facing(&self) -> Bool<L> {
         self.parts.front_facing
@@ -152,6 +158,58 @@ impl<L: Lanes, V: Copy, K: FragmentKind> Frag<L, V, K> {
             );
         }
         &self.parts.dy
+    }
+
+    /// Where in a [point](crate::PrimitiveTopology::PointList)'s square the pixel's centre lies: from (0, 0) at its upper left corner to (1, 1) at its lower right
+    /// one. (0, 0) in triangles and lines.
+    ///
+    /// The shader must say that it asks for it; it is an error when it is compiled otherwise. Discs, their borders one pixel soft:
+    ///
+    /// ```
+    /// use pineda::*;
+    ///
+    /// struct Discs { size: f32 }
+    ///
+    /// #[shader]
+    /// impl Shader for Discs {
+    ///     type Vertex = [f32; 2];
+    ///     type Varyings<L: Lanes> = ();
+    ///     const POINT_COORD: bool = true;
+    ///     fn vertex(&self, &[x, y]: &[f32; 2]) -> (Vec4, ()) {
+    ///         (Vec4::from([x, y, 0.0, 1.0]), ())
+    ///     }
+    ///     fn fragment<L: Lanes>(&self, f: &mut Fragment<L, Self>) -> Rgba<L> {
+    ///         let away = (f.point_coord() - f.splat([0.5, 0.5])).length() * self.size;
+    ///         Rgba::new(f.splat([1.0, 0.8, 0.3]), (0.5 * self.size - away).clamp(0.0, 1.0))
+    ///     }
+    /// }
+    ///
+    /// let discs = Discs { size: 24.0 };
+    /// let state = DrawState {
+    ///     topology: PrimitiveTopology::PointList,
+    ///     point_size: discs.size,
+    ///     blend: Blend::ALPHA,
+    ///     space: Space::Raster,
+    ///     ..DrawState::default()
+    /// };
+    /// let mut pass = Pass::new();
+    /// pass.draw(&discs, Mesh { vertices: &[[16.0, 16.0]], indices: Indices::Sequential }, state);
+    /// let mut pixels = vec![[0; 4]; 32 * 32];
+    /// let mut target = Target { color: ColorBuffer::Rgba8(&mut pixels), ..Target::new(32, 32) };
+    /// Renderer::new(Settings::default())?.render(&pass, &mut target)?;
+    /// assert_eq!([16, 5].map(|at| pixels[32 * at + at][3]), [255, 0], "the middle, and a corner of the square");
+    /// # Ok::<(), Error>(())
+    /// ```
+    #[inline(always)]
+    pub fn point_coord(&self) -> Vec2<L> {
+        const {
+            assert!(
+                K::POINT_COORD,
+                "this fragment stage reads f.point_coord(): add `const POINT_COORD: bool = true;` to its `impl Shader` \
+                 (a closure has no point coordinates: implement `Shader` instead)"
+            );
+        }
+        self.parts.point_coord
     }
 
     /// Drops the fragments in the lanes of `when`: they write neither colour nor depth. The stage goes on for the
@@ -232,6 +290,7 @@ mod tests {
             dy: Vec2::new(constant(4.0), constant(5.0)),
             x: lane + 0.5,
             y: constant(6.5),
+            point_coord: Vec2::new(constant(0.5), constant(0.5)),
             z: constant(0.25),
             front_facing: lane.lt(4.0),
             alive: Bool(lanes.mask(0x7fff)),

@@ -95,8 +95,9 @@
 //!
 //! [`f.x()`](Frag::x), [`f.y()`](Frag::y), [`f.z()`](Frag::z): where it is; [`f.front_facing()`](Frag::front_facing).
 //! [`f.dx()`](Frag::dx) and [`f.dy()`](Frag::dy), the varyings' derivatives per pixel, want
-//! `const DERIVATIVES: bool = true;` in the impl; [`f.discard(mask)`](Frag::discard) wants `const DISCARDS: bool = true;`.
-//! Both cost time where they are switched on, so neither is unless asked for, and using one without its constant is an
+//! `const DERIVATIVES: bool = true;` in the impl; [`f.discard(mask)`](Frag::discard) wants `const DISCARDS: bool = true;`;
+//! and [`f.point_coord()`](Frag::point_coord), the place in a point's square, `const POINT_COORD: bool = true;`.
+//! They cost time where they are switched on, so none is unless asked for, and using one without its constant is an
 //! error with that advice. A disc with a smooth edge:
 //!
 //! ```
@@ -142,7 +143,7 @@
 //!
 //! [`Pass::draw_with`](crate::Pass::draw_with) takes two closures instead of a shader. They run at the level that all
 //! machines of a kind have ([`Native`]), so on a new one a shader is two or three times as fast; the bits are the same.
-//! They can neither discard nor have derivatives.
+//! They can neither discard nor have derivatives or point coordinates.
 //!
 //! # What makes a shader slow
 //!
@@ -226,6 +227,7 @@ pub(crate) mod packet;
 pub(crate) mod run;
 pub(crate) mod shade;
 pub(crate) mod stencil;
+pub(crate) mod strokes;
 pub(crate) mod weights;
 
 pub(crate) use fragment::FragParts;

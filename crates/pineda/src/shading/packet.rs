@@ -5,7 +5,7 @@
 use super::distinct::Fragments;
 use super::{__Row4 as Row4, Frag, FragParts, FragmentStage, Interpolation, OutputLayout, Outputs, Varyings};
 use crate::lanes::Packet;
-use crate::math::{Bool, Real};
+use crate::math::{Bool, Real, Vec2};
 use crate::raster::triangle_id::{CLIPPED_CLOCKWISE, ORDER_BITS};
 use crate::tile::view::BlockLanes;
 use crate::wide::{Simd, f32x16, i32x16, mask32x16, u32x16};
@@ -19,6 +19,8 @@ pub(crate) const BATCH: usize = 16;
 pub(crate) struct VaryingLayout {
     pub(crate) interpolation: &'static [Interpolation],
     pub(crate) derivatives: bool,
+    /// Whether the last two numbers are a point's coordinates.
+    pub(crate) point_coord: bool,
     /// Whether everything is interpolated with perspective and no derivative is asked for.
     pub(crate) is_plain: bool,
 }
@@ -26,7 +28,7 @@ pub(crate) struct VaryingLayout {
 impl VaryingLayout {
     pub(crate) fn new(interpolation: &'static [Interpolation], derivatives: bool) -> Self {
         let is_plain = !derivatives && interpolation.iter().all(|&i| i == Interpolation::Perspective);
-        Self { interpolation, derivatives, is_plain }
+        Self { interpolation, derivatives, point_coord: false, is_plain }
     }
 
     /// Rows of a packet: the varyings and, if asked for, their derivatives along x and y.
@@ -162,7 +164,8 @@ impl PacketBatch {
             self.reserve_more();
         }
         let lanes = BlockLanes::new(s);
-        let length = 16 * <St::V as Varyings<Packet<S>>>::LEN;
+        let own = 16 * <St::V as Varyings<Packet<S>>>::LEN;
+        let length = if St::POINT_COORD { own + 2 * 16 } else { own };
         let zero = Real(f32x16::splat(s, 0.0));
         let none = Bool(mask32x16::splat(s, false));
         let first = St::V::read(Packet(s), self.rows.as_flattened());
@@ -175,6 +178,7 @@ impl PacketBatch {
                 x: zero,
                 y: zero,
                 z: zero,
+                point_coord: Vec2::new(zero, zero),
                 front_facing: none,
                 alive: none,
             },
@@ -189,6 +193,9 @@ impl PacketBatch {
             if St::DERIVATIVES {
                 parts.dx = St::V::read(Packet(s), &rows[length..]);
                 parts.dy = St::V::read(Packet(s), &rows[2 * length..]);
+            }
+            if St::POINT_COORD {
+                parts.point_coord = Vec2::read(Packet(s), &rows[own..]);
             }
             let ids = u32x16::simd_from(s, packet.ids);
             let code: i32x16<S> = (ids & ((1 << ORDER_BITS) - 1)).bitcast();

@@ -1,5 +1,6 @@
 //! What shading knows of a run of triangles: where its vertices are, and what came out of their vertex stage.
 
+use super::strokes::StrokeView;
 use crate::geometry::project::Projection;
 use crate::pass::ProvokingVertex;
 use crate::raster::corners::Corners;
@@ -60,6 +61,8 @@ pub(crate) struct RunView<'a> {
     pub(crate) projection: &'a Projection,
     pub(crate) front_is_clockwise: bool,
     pub(crate) provoking: ProvokingVertex,
+    /// If it is of lines or points.
+    pub(crate) strokes: Option<StrokeView<'a>>,
 }
 
 impl RunView<'_> {

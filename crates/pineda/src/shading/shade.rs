@@ -215,15 +215,19 @@ fn merge<S: Simd>(s: S, shading: &mut Shading<'_>) {
         }
         keep(s, shading.tile, state.depth.write, block, alive, &packet.depth, &packet.ids);
         let passed = alive.to_bitmask() as u32;
+        let parts = shading.run.strokes.as_ref().and_then(|strokes| {
+            strokes.covered_parts(s, TriangleId(packet.ids[0]).number() - shading.run.first_number, packet)
+        });
         let more = shading.batch.more(i);
         // Only a target with one colour buffer is blended with a second source.
         let second = if more.is_empty() { &packet.color } else { &more[0] };
-        merge_color(s, shading.color, block, alive, &packet.color, second, &first, how);
+        merge_color(s, shading.color, block, alive, &packet.color, second, parts, &first, how);
         let mut k = 0;
         while k < shading.more_colors.len() {
             if let Some(color) = more.get(k) {
                 let state = state.color(k + 1);
-                merge_color(s, &mut shading.more_colors[k], block, alive, color, color, &state, How::of(&state));
+                let (tile, how) = (&mut shading.more_colors[k], How::of(&state));
+                merge_color(s, tile, block, alive, color, color, parts, &state, how);
             }
             k += 1;
         }
@@ -271,8 +275,9 @@ impl How {
     }
 }
 
-/// Brings one colour into the tile's.
+/// Brings one colour into the tile's; of a smooth line, by the parts of the pixels that it covers.
 #[inline(always)]
+#[expect(clippy::too_many_arguments, reason = "inlined")]
 fn merge_color<S: Simd>(
     s: S,
     tile: &mut TileColor,
@@ -280,10 +285,14 @@ fn merge_color<S: Simd>(
     alive: mask32x16<S>,
     color: &Row4,
     second: &Row4,
+    parts: Option<f32x16<S>>,
     state: &ColorState,
     how: How,
 ) {
     let (mut color, second, is_unorm) = (channels(s, color), channels(s, second), tile.format.is_unorm());
+    if let Some(parts) = parts {
+        color[3] = color[3] * parts;
+    }
     // With the usual states known, nothing is left to be chosen.
     match how {
         How::Replace => {}

@@ -34,6 +34,48 @@ pub trait Shader: Sized + Sync {
     /// How many [clip distances](Self::clip_distances) the vertex stage gives, at most [`MAX_CLIP_DISTANCES`](super::MAX_CLIP_DISTANCES).
     const CLIP_DISTANCES: usize = 0;
 
+    /// Whether the fragment stage reads [`f.point_coord()`](super::Frag::point_coord). It takes two of the [`MAX_VARYINGS`](super::MAX_VARYINGS) numbers.
+    const POINT_COORD: bool = false;
+
+    /// The side of a vertex's square in pixels where [points](crate::PrimitiveTopology::PointList) are drawn; `None`, which it is unless a shader says otherwise, is the
+    /// draw's [`point_size`](crate::DrawState::point_size). It is clamped to 0 to [`MAX_POINT_SIZE`](crate::MAX_POINT_SIZE); a point whose size is NaN is dropped, as one is
+    /// whose position is not finite.
+    ///
+    /// ```
+    /// use pineda::*;
+    ///
+    /// struct Dots;
+    ///
+    /// #[shader]
+    /// impl Shader for Dots {
+    ///     /// x, y and the size.
+    ///     type Vertex = [f32; 3];
+    ///     type Varyings<L: Lanes> = ();
+    ///     fn vertex(&self, &[x, y, _]: &[f32; 3]) -> (Vec4, ()) {
+    ///         (Vec4::from([x, y, 0.0, 1.0]), ())
+    ///     }
+    ///     fn point_size(&self, &[.., size]: &[f32; 3]) -> Option<f32> {
+    ///         Some(size)
+    ///     }
+    ///     fn fragment<L: Lanes>(&self, f: &mut Fragment<L, Self>) -> Rgba<L> {
+    ///         Rgba::gray(f.splat(1.0))
+    ///     }
+    /// }
+    ///
+    /// let dots = [[4.0, 8.0, 2.0], [10.0, 8.0, 6.0]];
+    /// let state = DrawState { topology: PrimitiveTopology::PointList, space: Space::Raster, ..DrawState::default() };
+    /// let mut pass = Pass::new();
+    /// pass.draw(&Dots, Mesh { vertices: &dots, indices: Indices::Sequential }, state);
+    /// let mut hits = vec![0; 16 * 16];
+    /// let mut target = Target { hits: Some(&mut hits), ..Target::new(16, 16) };
+    /// Renderer::new(Settings::default())?.render(&pass, &mut target)?;
+    /// assert_eq!(hits.iter().sum::<u32>(), 2 * 2 + 6 * 6);
+    /// # Ok::<(), Error>(())
+    /// ```
+    fn point_size(&self, _vertex: &Self::Vertex) -> Option<f32> {
+        None
+    }
+
     /// One vertex: its position in the draw's [`Space`](crate::Space), and its varyings. It must be a pure function of
     /// the vertex and the uniforms, for it may run more than once.
     fn vertex(&self, vertex: &Self::Vertex) -> (Vec4, Self::Varyings<Scalar>);

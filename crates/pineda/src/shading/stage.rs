@@ -17,6 +17,8 @@ pub(crate) trait FragmentStage<L: Lanes> {
     const DISCARDS: bool = <Self::Kind as FragmentKind>::DISCARDS;
     /// Whether `dx` and `dy` must be filled in.
     const DERIVATIVES: bool = <Self::Kind as FragmentKind>::DERIVATIVES;
+    /// Whether `point_coord` must be filled in.
+    const POINT_COORD: bool = <Self::Kind as FragmentKind>::POINT_COORD;
     /// The colours of the fragments in `f`.
     fn run(&self, f: &mut Frag<L, Self::V, Self::Kind>) -> Self::Out;
 }
@@ -38,6 +40,7 @@ pub enum ClosureKind {}
 impl FragmentKind for ClosureKind {
     const DISCARDS: bool = false;
     const DERIVATIVES: bool = false;
+    const POINT_COORD: bool = false;
 }
 
 /// What a fragment closure with the varyings `V` receives: sixteen fragments at the width [`Native`].

@@ -9,7 +9,7 @@ pub const MAX_VARYINGS: usize = 32;
 /// How a varying gets from the three vertices to a fragment.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Interpolation {
-    /// Linear on the triangle in space, as perspective shows it. The default.
+    /// Linear on the triangle or line in space, as perspective shows it. The default.
     #[default]
     Perspective,
     /// Not at all: the value of the triangle's [provoking vertex](crate::ProvokingVertex), bit by bit. `#[flat]` on a field.

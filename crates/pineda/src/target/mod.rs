@@ -63,16 +63,18 @@ pub struct Target<'a> {
     pub depth: DepthBuffer<'a>,
     /// Stencil values.
     pub stencil: Option<&'a mut [u8]>,
-    /// The triangle that each pixel shows, counted from 0 within its draw, and anew in each instance; [`NO_ID`] where there is none.
+    /// The triangle that each pixel shows (the line, the point), counted from 0 within its draw, and anew in each instance; [`NO_ID`] where there is
+    /// none.
     pub triangle_ids: Option<&'a mut [u32]>,
     /// The instance of the draw that each pixel shows, counted from 0; 0 for draws without instances, [`NO_ID`] where there is nothing.
     pub instance_ids: Option<&'a mut [u32]>,
     /// The draw that each pixel shows, counted from 0 within the pass; [`NO_ID`] where there is none.
     pub draw_ids: Option<&'a mut [u32]>,
     /// Perspective-correct barycentric coordinates of each pixel's centre in the triangle that it shows, in the order of
-    /// the triangle's vertices; zeros where there is none.
+    /// the triangle's vertices; zeros where there is none. In a line the first two count for its start and its end, in a point the first; on the edges and
+    /// corners of a triangle they are the triangle's.
     pub barycentrics: Option<&'a mut [[f32; 3]]>,
-    /// How many triangles cover each pixel, whatever their depth: of a mesh without overlaps, exactly one.
+    /// How many triangles, lines or points cover each pixel, whatever their depth: of a mesh without overlaps, exactly one.
     pub hits: Option<&'a mut [u32]>,
 }
 

@@ -229,5 +229,8 @@ fn coordinates<S: Simd>(
     let [a, b, c] = weights.perspective;
     let sum = (a + b) + c;
     let values = [one_nan(s, a / sum).into(), one_nan(s, b / sum).into(), one_nan(s, c / sum).into()];
-    (values, order.map(|corner| run.submitted(corner)))
+    match &run.strokes {
+        None => (values, order.map(|corner| run.submitted(corner))),
+        Some(strokes) => strokes.coordinates(id.number() - run.first_number, values, order),
+    }
 }

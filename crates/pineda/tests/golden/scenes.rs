@@ -3,6 +3,7 @@
 use crate::looks::{BlinnPhong, CutOpen, Gouraud, Holes, Stripes};
 use crate::primitives::{self, Facets, Row, Sprite, Sprites};
 use crate::shapes::{Shape, ground, knot, rectangle, slivers, soup};
+use crate::strokes::{self, Dots};
 use pineda::*;
 
 /// The format of a scene's picture.
@@ -41,6 +42,7 @@ pub(crate) enum Look {
     Facets(Row),
     Sprites(Vec<Sprite>),
     CutOpen(CutOpen),
+    Dots,
 }
 
 impl Scene {
@@ -60,6 +62,7 @@ impl Layer {
             Look::Holes(look) => pass.draw(look, mesh, self.state),
             Look::Facets(row) => pass.draw(&Facets, Mesh { indices: row.indices(), ..mesh }, self.state),
             Look::CutOpen(look) => pass.draw(look, mesh, self.state),
+            Look::Dots => pass.draw(&Dots, mesh, self.state),
             Look::Sprites(sprites) => pass.draw_instanced(&Sprites, mesh, sprites, self.state),
         };
     }
@@ -81,6 +84,10 @@ pub(crate) fn all() -> Vec<Scene> {
         scene("strips_and_fans", primitives::strips_and_fans()),
         scene("restarts", primitives::restarts()),
         scene("instances", primitives::instances()),
+        Scene { format: Format::Srgb, ..scene("thin_lines", strokes::thin_lines()) },
+        Scene { format: Format::Srgb, ..scene("wide_and_smooth_lines", strokes::wide_and_smooth_lines()) },
+        Scene { format: Format::Srgb, ..scene("points", strokes::points()) },
+        Scene { format: Format::Srgb, ..scene("fill_modes", strokes::fill_modes()) },
         Scene { format: Format::Srgb, ..scene("knot", vec![lit_knot(None)]) },
         Scene { format: Format::Srgb, ..scene("four_viewports", four_viewports()) },
         Scene { format: Format::Srgb, ..scene("clip_distances", vec![cut_open()]) },

@@ -11,6 +11,7 @@ mod occlusion;
 mod passes;
 mod primitives;
 mod scene;
+mod strokes;
 mod traps;
 mod viewports;
 mod visibility;
