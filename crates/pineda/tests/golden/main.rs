@@ -9,6 +9,7 @@ mod looks;
 mod primitives;
 mod scenes;
 mod shapes;
+mod targets;
 
 use pineda::{ColorBuffer, DepthBuffer, NO_ID, Pass, Renderer, Settings, Simd, Target, TileSize};
 use scenes::{Format, Scene};
