@@ -3,6 +3,9 @@
 
 #![allow(missing_docs, reason = "a test")]
 
+#[path = "../examples/deferred.rs"]
+#[allow(dead_code, unreachable_pub, reason = "an example's main and file writing are not run here")]
+mod deferred;
 #[path = "../examples/depth_prepass.rs"]
 #[allow(dead_code, unreachable_pub, reason = "an example's main and file writing are not run here")]
 mod depth_prepass;
@@ -36,6 +39,11 @@ fn sorted_transparency_picture() {
 #[test]
 fn stencil_outline_picture() {
     check(stencil_outline::draw, 0x2b0d_da74_55ad_ae12);
+}
+
+#[test]
+fn deferred_picture() {
+    check(deferred::draw, 0xab27_c42f_9243_fb8a);
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 #![allow(unreachable_pub, reason = "what the attribute must leave alone")]
 
-use pineda::{Bool, Fragment, Lanes, Real, Rgba, Scalar, Shader, Vec3, Vec4, shader};
+use pineda::{Bool, Fragment, Lanes, OutputKind, Outputs, Real, Rgba, Scalar, Shader, Uint, Vec3, Vec4, shader};
 
 /// A whole module at once: a shader, its helpers, an inner module, and attributes that are there already.
 #[shader]
@@ -42,6 +42,46 @@ mod shaders {
     mod inner {
         pub(super) const STEP: f32 = 0.25;
     }
+}
+
+/// What the fragment stage returns is read from it, whatever its width is called, or said.
+struct Read;
+
+#[shader]
+impl Shader for Read {
+    type Vertex = ();
+    type Varyings<L: Lanes> = ();
+    fn vertex(&self, (): &()) -> (Vec4, ()) {
+        Default::default()
+    }
+    fn fragment<Width: Lanes>(&self, f: &mut Fragment<Width, Self>) -> (Rgba<Width>, Uint<Width>) {
+        (Rgba::gray(f.z()), f.splat(7u32))
+    }
+}
+
+struct Said;
+
+#[shader]
+impl Shader for Said {
+    type Vertex = ();
+    type Varyings<L: Lanes> = ();
+    type Output<L: Lanes> = [Real<L>; 2];
+    fn vertex(&self, (): &()) -> (Vec4, ()) {
+        Default::default()
+    }
+    fn fragment<L: Lanes>(&self, f: &mut Fragment<L, Self>) -> Self::Output<L> {
+        [f.x(), f.y()]
+    }
+}
+
+#[test]
+fn outputs_are_read_from_the_signature_or_said() {
+    fn kinds<Sh: Shader>(_: Sh) -> &'static [OutputKind] {
+        <Sh::Output<Scalar> as Outputs<Scalar>>::KINDS
+    }
+    assert_eq!(kinds(Read), [OutputKind::Float, OutputKind::Uint]);
+    assert_eq!(kinds(Said), [OutputKind::Float; 2]);
+    assert_eq!(kinds(shaders::Toon { steps: Vec::new() }), [OutputKind::Float]);
 }
 
 /// A trait with a default method, and an implementation.

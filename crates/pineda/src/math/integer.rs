@@ -1,5 +1,7 @@
 //! Whole numbers per lane, and the colours of targets that hold such.
 
+#![allow(clippy::suspicious_arithmetic_impl, reason = "shifts are by the lowest five bits")]
+
 use super::{Bool, Real, Select, Splat, ToLanes};
 use crate::lanes::{Lanes, Scalar};
 use crate::shading::{Interpolation, Varyings};
@@ -10,6 +12,12 @@ use core::ops::{Add, BitAnd, BitOr, BitXor, Mul, Not, Shl, Shr, Sub};
 ///
 /// `+ - *` wrap around; they, `& | ^` and the comparisons take another `Int<L>` or a plain `i32`. `<<` and `>>` shift all lanes by the same number
 /// of bits, of which the lowest five count. As a varying it is always flat.
+///
+/// ```
+/// use pineda::*;
+/// let x = Int::<Scalar>::from(-7);
+/// assert_eq!(i32::from((x >> 1) * 3), -12);
+/// ```
 pub struct Int<L: Lanes = Scalar>(pub(crate) L::I);
 
 /// One `u32` per lane: ids, packed colours, hashes.
@@ -363,8 +371,20 @@ macro_rules! colors {
 
 colors! {
     /// Four unsigned integers per lane, for the format [`Rgba32U`](crate::ColorBuffer::Rgba32U) and its like.
+    ///
+    /// ```
+    /// use pineda::*;
+    /// let codes = RgbaU::<Scalar>::from([1, 2, 3, u32::MAX]);
+    /// assert_eq!(u32::from(codes.a), u32::MAX);
+    /// ```
     RgbaU Uint u32;
     /// Four signed integers per lane, for the format [`Rgba32I`](crate::ColorBuffer::Rgba32I) and its like.
+    ///
+    /// ```
+    /// use pineda::*;
+    /// let codes = RgbaI::<Scalar>::from([1, 2, 3, i32::MIN]);
+    /// assert_eq!(i32::from(codes.a), i32::MIN);
+    /// ```
     RgbaI Int i32;
 }
 

@@ -7,6 +7,12 @@ use crate::target::{ColorBuffer, MAX_COLORS};
 use crate::{Error, Target};
 
 /// How a draw meets one of several colour buffers, in place of [`DrawState::blend`] and [`DrawState::color_mask`]; see [`DrawState::colors`].
+///
+/// ```
+/// use pineda::{Blend, ColorMask, ColorState};
+/// let red_light = ColorState { blend: Blend::ADD, mask: ColorMask { r: true, ..ColorMask::NONE } };
+/// # assert_ne!(red_light, ColorState::default());
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
 pub struct ColorState {
     /// How the fragment's colour meets the buffer's.
@@ -16,6 +22,13 @@ pub struct ColorState {
 }
 
 /// What a pass does with one colour buffer before the first draw, and after the last; see [`Pass::color_ops`].
+///
+/// ```
+/// use pineda::{ColorOps, Load, Pass, Store};
+/// let mut pass = Pass::new();
+/// // Goes on from what is there, and throws away what becomes of it.
+/// pass.color_ops[1] = ColorOps { load: Load::Keep, store: Store::Discard };
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
 pub struct ColorOps {
     /// What the buffer starts with.
@@ -46,7 +59,8 @@ pub enum Store {
     Discard,
 }
 
-/// A colour to start with, of the kind of numbers that the buffer holds. Any array of four turns into one.
+/// A colour to start with, of the kind of numbers that the buffer holds. Any array of four turns into one; numbers
+/// without a suffix are signed there.
 ///
 /// ```
 /// use pineda::{ClearColor, Load};
@@ -151,7 +165,8 @@ impl Blend {
     }
 }
 
-const _: () = assert!(MAX_COLORS.is_power_of_two());
+// As the arrays of states and operations have it; and `DrawState::color` wants a power of two.
+const _: () = assert!(MAX_COLORS == 8);
 
 /// Whether a valid target's colour buffers and a pass's draws go together.
 pub(crate) fn check(pass: &Pass<'_>, target: &Target<'_>) -> Result<(), Error> {

@@ -27,7 +27,6 @@ pub use stencil::{StencilFace, StencilOperation, StencilState};
 use crate::lanes::Scalar;
 use crate::math::Vec4;
 use crate::shading::{Closure, ClosureFragment, Native, Outputs, Shader, Varyings};
-use crate::target::MAX_COLORS;
 use draw_call::{ClosureDraw, DrawCall, ShaderDraw};
 use input::{Instances, Vertices};
 use std::fmt;
@@ -47,7 +46,8 @@ pub struct Pass<'a> {
     /// let mut pass = Pass::new();
     /// pass.color_ops[2].load = Load::Clear([NO_ID; 4].into());
     /// ```
-    pub color_ops: [ColorOps; MAX_COLORS],
+    // As `DrawState::colors`.
+    pub color_ops: [ColorOps; 8],
     /// The depth that the target starts with, clamped to 0 to 1; `None` keeps what it holds (a target without a depth buffer holds 1).
     pub clear_depth: Option<f32>,
     /// The stencil value that the target starts with; `None` keeps what it holds (a target without a stencil buffer holds 0).
@@ -79,7 +79,7 @@ impl<'a> Pass<'a> {
     pub fn new() -> Self {
         Self {
             clear_color: Some([0.0; 4]),
-            color_ops: [ColorOps::default(); MAX_COLORS],
+            color_ops: [ColorOps::default(); 8],
             clear_depth: Some(1.0),
             clear_stencil: Some(0),
             draws: Vec::new(),

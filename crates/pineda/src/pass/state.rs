@@ -1,7 +1,6 @@
 //! The fixed-function settings of a draw: plain structs with defaults.
 
 use super::{Blend, ColorMask, ColorState, PolygonMode, PrimitiveTopology, ProvokingVertex, StencilState};
-use crate::target::MAX_COLORS;
 
 /// Everything about a draw that is not its shader or its mesh.
 ///
@@ -160,7 +159,8 @@ pub struct DrawState {
     /// let mut state = DrawState { blend: Blend::ALPHA, ..DrawState::default() };
     /// state.colors[2] = Some(ColorState::default());
     /// ```
-    pub colors: [Option<ColorState>; MAX_COLORS],
+    // As long as `MAX_COLORS`, by number: closures that capture fields of such a type whose length is a constant's name crash rustc 1.95.
+    pub colors: [Option<ColorState>; 8],
     /// The part of the target that is drawn to; all of it when `None`.
     pub viewport: Option<Viewport>,
     /// Nothing is drawn outside of it; no bounds but the viewport's when `None`.
@@ -186,7 +186,7 @@ impl DrawState {
         stencil: None,
         blend: Blend::OPAQUE,
         color_mask: ColorMask::ALL,
-        colors: [None; MAX_COLORS],
+        colors: [None; 8],
         viewport: None,
         scissor: None,
     };

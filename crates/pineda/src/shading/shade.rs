@@ -57,6 +57,12 @@ pub(crate) struct Shading<'a> {
 }
 
 impl Shading<'_> {
+    /// How many colours beyond the first go to a buffer. A second source does not.
+    #[inline(always)]
+    fn further(&self) -> usize {
+        self.call.outputs().kinds.len().saturating_sub(1).min(self.more_colors.len())
+    }
+
     /// Counts the lanes of a block.
     #[inline(always)]
     fn count(&mut self, block: usize, fragments: u32, samples: u32) {
@@ -74,6 +80,7 @@ pub(crate) fn shade_visible<S: Simd>(s: S, shading: &mut Shading<'_>, packets: &
     let position = |vertex: usize| shading.call.position(vertex);
     let (mut last, mut distinct) = (Last::none(s), [Distinct::NONE; BATCH]);
     shading.cache.start(shading.run, layout.interpolation.len());
+    let further = shading.further();
     let mut first = 0;
     while first < packets.len() {
         let end = (first + BATCH).min(packets.len());
@@ -105,10 +112,9 @@ pub(crate) fn shade_visible<S: Simd>(s: S, shading: &mut Shading<'_>, packets: &
             let block = packet.block as usize;
             shading.color.store(s, block, alive, channels(s, &packet.color), ColorMask::ALL);
             let mut k = 0;
-            while k < shading.more_colors.len() {
-                if let Some(color) = shading.batch.more(i).get(k) {
-                    shading.more_colors[k].store(s, block, alive, channels(s, color), ColorMask::ALL);
-                }
+            while k < further {
+                let color = channels(s, &shading.batch.more(i)[k]);
+                shading.more_colors[k].store(s, block, alive, color, ColorMask::ALL);
                 k += 1;
             }
             i += 1;
@@ -202,6 +208,7 @@ fn merge<S: Simd>(s: S, shading: &mut Shading<'_>) {
     let tests = Tests { state, front_is_clockwise: shading.run.front_is_clockwise };
     let first = state.color(0);
     let how = How::of(&first);
+    let further = shading.further();
     let mut i = 0;
     while i < shading.batch.len() {
         let packet = &shading.batch.packets()[i];
@@ -223,12 +230,10 @@ fn merge<S: Simd>(s: S, shading: &mut Shading<'_>) {
         let second = if more.is_empty() { &packet.color } else { &more[0] };
         merge_color(s, shading.color, block, alive, &packet.color, second, parts, &first, how);
         let mut k = 0;
-        while k < shading.more_colors.len() {
-            if let Some(color) = more.get(k) {
-                let state = state.color(k + 1);
-                let (tile, how) = (&mut shading.more_colors[k], How::of(&state));
-                merge_color(s, tile, block, alive, color, color, parts, &state, how);
-            }
+        while k < further {
+            let state = state.color(k + 1);
+            let (tile, how) = (&mut shading.more_colors[k], How::of(&state));
+            merge_color(s, tile, block, alive, &more[k], &more[k], parts, &state, how);
             k += 1;
         }
         shading.count(block, 0, passed);

@@ -10,6 +10,7 @@ mod primitives;
 mod scenes;
 mod shapes;
 mod strokes;
+mod targets;
 
 use pineda::{ColorBuffer, DepthBuffer, NO_ID, Pass, Renderer, Settings, Simd, Target, TileSize};
 use scenes::{Format, Scene};

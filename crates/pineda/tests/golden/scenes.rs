@@ -232,8 +232,10 @@ fn gradients() -> Vec<Layer> {
 fn blend_factors() -> Vec<Layer> {
     let (dark, light) = ([0.05, 0.1, 0.3, 0.25], [0.3, 0.8, 0.9, 0.75]);
     let mut layers = vec![gouraud(rectangle([0.0, 0.0, 317.0, 203.0], 0.5, [dark, light, light, dark]), RASTER)];
-    for (j, source) in BlendFactor::ALL.into_iter().enumerate() {
-        for (i, target) in BlendFactor::ALL.into_iter().enumerate() {
+    // Those that take a second source are another scene.
+    let factors = &BlendFactor::ALL[..15];
+    for (j, source) in factors.iter().copied().enumerate() {
+        for (i, target) in factors.iter().copied().enumerate() {
             let component = BlendComponent { source, operation: BlendOperation::Add, target };
             let blend = Blend { constant: [0.9, 0.2, 0.5, 0.6], ..Blend::both(component) };
             layers.push(cell([i, j], [21.0, 13.4], DrawState { blend, depth: DepthState::OFF, ..RASTER }));

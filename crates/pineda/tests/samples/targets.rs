@@ -341,3 +341,25 @@ fn several_flushes_are_one_pass() {
         check(seed, look, &start, &[part], 0);
     }
 }
+
+#[test]
+fn a_second_source_goes_to_no_buffer() {
+    let corners = [[-9.0, -9.0], [99.0, -9.0], [-9.0, 99.0]];
+    for blend in [Blend::OPAQUE, Blend::ADD] {
+        let mut state = DrawState { space: Space::Raster, blend, ..DrawState::default() };
+        state.colors[1] = Some(ColorState { mask: ColorMask::NONE, ..ColorState::default() });
+        let mut pass = Pass::new();
+        pass.color_ops[1].load = Load::Keep;
+        pass.draw_with(
+            Mesh { vertices: &corners, indices: Indices::Sequential },
+            state,
+            |&[x, y]| (Vec4::from([x, y, 0.0, 1.0]), ()),
+            |f| DualSource { color: Rgba::gray(f.splat(1.0)), factor: Rgba::gray(f.splat(2.0)) },
+        );
+        let (mut colors, mut numbers) = ([[0; 4]; 16], [7; 16]);
+        let (color, more_colors) = (ColorBuffer::Rgba8(&mut colors), vec![ColorBuffer::R32U(&mut numbers)]);
+        let mut renderer = Renderer::new(Settings::default()).expect("the best level");
+        renderer.render(&pass, &mut Target { color, more_colors, ..Target::new(4, 4) }).expect("valid");
+        assert_eq!((colors, numbers), ([[255; 4]; 16], [7; 16]));
+    }
+}
