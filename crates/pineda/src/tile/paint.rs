@@ -220,13 +220,15 @@ impl Painter {
         let is_usual = segment.depth.is_whole_range() && painting.depth_format.is_float() && counted_in.is_none();
         let compare = Some(segment.depth.compare).filter(|_| is_usual);
         let area = Area { share, entries, view, rect };
-        let passed = dispatch!(painting.level, s => match (compare, wants_ids) {
-            (Some(Compare::Less), true) => visibility::<_, _, true>(s, &area, tile, Usual::<false>, None),
-            (Some(Compare::Less), false) => visibility::<_, _, false>(s, &area, tile, Usual::<false>, None),
-            (Some(Compare::Greater), true) => visibility::<_, _, true>(s, &area, tile, Usual::<true>, None),
-            (Some(Compare::Greater), false) => visibility::<_, _, false>(s, &area, tile, Usual::<true>, None),
-            _ => visibility::<_, _, true>(s, &area, tile, test, counted_in),
-        });
+        let level = painting.level;
+        // A kernel each: together they would be too much for the compiler to see through.
+        let passed = match (compare, wants_ids) {
+            (Some(Compare::Less), true) => usual_visibility::<false, true>(level, &area, tile),
+            (Some(Compare::Less), false) => usual_visibility::<false, false>(level, &area, tile),
+            (Some(Compare::Greater), true) => usual_visibility::<true, true>(level, &area, tile),
+            (Some(Compare::Greater), false) => usual_visibility::<true, false>(level, &area, tile),
+            _ => dispatch!(level, s => visibility::<_, _, true>(s, &area, tile, test, counted_in)),
+        };
         if let Some(draw) = segment.draw {
             self.counts(draw).samples_passed += passed;
         }
@@ -332,6 +334,11 @@ impl Painter {
             self.counts(draw).add(&counted);
         }
     }
+}
+
+/// [`visibility`] with the usual tests.
+fn usual_visibility<const GREATER: bool, const ID: bool>(level: Level, area: &Area<'_>, tile: &mut Tile) -> u64 {
+    dispatch!(level, s => visibility::<_, _, ID>(s, area, tile, Usual::<GREATER>, None))
 }
 
 /// How many samples passed, if they are counted.

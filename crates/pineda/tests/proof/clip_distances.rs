@@ -157,3 +157,37 @@ fn distances_that_are_no_numbers_drop_the_triangle() {
         assert_eq!((statistics.non_finite, statistics.clipped), (0, 0));
     }
 }
+
+/// A line ends where its distance becomes negative, a point is there or not.
+#[test]
+fn lines_and_points_are_cut_off_too() {
+    let vertex = |x: f32, distance: f32| {
+        let mut distances = [0.0; MAX_CLIP_DISTANCES];
+        distances[0] = distance;
+        Vertex { position: [x, 1.0 / SIZE as f32, 0.5, 1.0], distances }
+    };
+    let vertices = [vertex(-1.0, 1.0), vertex(1.0, -1.0), vertex(0.5, 1.0)];
+    let half = SIZE / 2;
+    let row = ((half - 1) * SIZE) as usize;
+    let of_line: Vec<u32> = (0..SIZE).map(|x| u32::from(x < half)).collect();
+    // The first point lies on the picture's left border, and covers the pixel beyond; the second is cut off.
+    let of_points: Vec<u32> = (0..SIZE).map(|x| u32::from(x == 3 * half / 2 - 1)).collect();
+    let expected = [
+        (PrimitiveTopology::LineStrip, &[0, 1][..], of_line),
+        (PrimitiveTopology::PointList, &[0, 1, 2][..], of_points),
+    ];
+    for (topology, indices, covered) in expected {
+        let cut = Cut::<1> { sign: 1.0 };
+        let mut pass = Pass::new();
+        let state = DrawState { topology, ..DrawState::default() };
+        pass.draw(&cut, Mesh { vertices: &vertices, indices: Indices::U32(indices) }, state);
+        for simd in Simd::available() {
+            let mut hits = vec![0; PIXELS];
+            let mut target = Target { hits: Some(&mut hits), ..Target::new(SIZE, SIZE) };
+            let mut renderer = Renderer::new(Settings { simd, ..Settings::default() }).expect("available");
+            renderer.render(&pass, &mut target).expect("valid");
+            assert_eq!(hits[row..row + SIZE as usize], covered, "{topology:?}, {simd:?}");
+            assert_eq!(hits.iter().sum::<u32>(), covered.iter().sum(), "{topology:?}, {simd:?}");
+        }
+    }
+}
