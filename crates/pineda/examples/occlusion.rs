@@ -37,12 +37,13 @@ impl House {
         let middle = 1.0 - (((column - SIDE / 2).pow(2) + (row - SIDE / 2).pow(2)) as f32).sqrt() / SIDE as f32;
         let (left, front) = ((column - SIDE / 2) as f32, (row - SIDE / 2) as f32);
         let width = 0.55 + 0.25 * hash;
-        let height = 0.3 + (0.3 + hash) * 4.5 * middle.powi(3);
+        let height = 0.3 + (0.3 + hash) * 4.5 * (middle * middle * middle);
         Self { min: [left, 0.0, front], max: [left + width, height, front + width], tint: hash }
     }
 
     fn distance(&self) -> f32 {
-        (self.min[0] - EYE[0]).hypot(self.min[2] - EYE[2])
+        let (x, z) = (self.min[0] - EYE[0], self.min[2] - EYE[2]);
+        (x * x + z * z).sqrt()
     }
 }
 

@@ -53,7 +53,8 @@ pub struct DrawState {
     /// Whether lines are smooth: the alpha of each fragment is multiplied by the part of its pixel that the line's rectangle covers, whatever the width.
     ///
     /// It wants blending ([`Blend::ALPHA`](crate::Blend::ALPHA)), and mostly no writing of depth; such draws are shaded fragment by fragment, in order. The part is that of
-    /// the rectangle with corners snapped to 1/256 pixel, rounded to f32. Every pixel that the rectangle touches is covered.
+    /// the rectangle with corners snapped to 1/256 pixel, rounded to f32. Every pixel that the rectangle touches is covered. Integers have no alpha:
+    /// they are stored as they are, in every pixel that a line touches.
     ///
     /// ```
     /// use pineda::*;

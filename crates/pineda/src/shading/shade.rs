@@ -1,6 +1,5 @@
 //! From covered or visible samples to colours in the tile: interpolation, the user's fragment stage, blending.
 
-use super::__Row4 as Row4;
 use super::blend::blend;
 use super::cached::TriangleCache;
 use super::distinct::Distinct;
@@ -9,6 +8,7 @@ use super::large::Last;
 use super::packet::{BATCH, PacketBatch};
 use super::run::RunView;
 use super::stencil::Tests;
+use super::{__Row4 as Row4, OutputKind};
 use crate::pass::draw_call::DrawCall;
 use crate::pass::{Blend, ColorMask, ColorState, DrawStatistics};
 use crate::raster::triangle_id::TriangleId;
@@ -295,7 +295,8 @@ fn merge_color<S: Simd>(
     how: How,
 ) {
     let (mut color, second, is_unorm) = (channels(s, color), channels(s, second), tile.format.is_unorm());
-    if let Some(parts) = parts {
+    // Integers have no alpha to be multiplied.
+    if let Some(parts) = parts.filter(|_| tile.format.kind() == OutputKind::Float) {
         color[3] = color[3] * parts;
     }
     // With the usual states known, nothing is left to be chosen.

@@ -581,3 +581,31 @@ fn widths_and_sizes_out_of_range_are_errors() {
     let error = Renderer::new(Settings::default()).expect("the best level").render(&pass, &mut Target::new(8, 8));
     assert_eq!(error, Err(Error::PartialLine { draw: 0, count: 3, what: "vertices" }));
 }
+
+/// A smooth line's area multiplies alpha; of integers it once multiplied the fourth one's bits, as if they were a float's.
+#[test]
+fn smooth_lines_leave_integers_as_they_are() {
+    let line = [[2.25, 3.5], [29.5, 11.75]];
+    let mut pass = Pass::new();
+    pass.clear_color = None;
+    pass.draw_with(
+        Mesh { vertices: &line, indices: Indices::Sequential },
+        DrawState {
+            topology: PrimitiveTopology::LineList,
+            line_width: 3.0,
+            smooth_lines: true,
+            space: Space::Raster,
+            ..DrawState::default()
+        },
+        |&[x, y]| (Vec4::from([x, y, 0.5, 1.0]), ()),
+        |f| {
+            let number = |x: u32| f.splat(x);
+            RgbaU { r: number(1), g: number(2), b: number(3), a: number(0x1234_5678) }
+        },
+    );
+    let mut pixels = vec![[0u32; 4]; 32 * 16];
+    let mut target = Target { color: ColorBuffer::Rgba32U(&mut pixels), ..Target::new(32, 16) };
+    Renderer::new(Settings::default()).and_then(|mut r| r.render(&pass, &mut target)).expect("valid");
+    assert!(pixels.iter().all(|&p| p == [0; 4] || p == [1, 2, 3, 0x1234_5678]), "{pixels:x?}");
+    assert!(pixels.iter().any(|&p| p != [0; 4]));
+}
