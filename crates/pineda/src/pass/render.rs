@@ -299,7 +299,7 @@ impl Renderer {
                 let call = &pass.draws[run.draw];
                 if let Some(stroke_run) = &run.strokes {
                     let (shape, rect, projection) = (stroke_run.shape, run.rect, &run.projection);
-                    let state = StrokeState { level, grid, rect, shape, projection };
+                    let state = StrokeState { counts, level, grid, rect, shape, projection };
                     let end = end - run.first_number;
                     let before = share.statistics;
                     share.statistics.count(call.state().topology, start, end, run.numbers_each);

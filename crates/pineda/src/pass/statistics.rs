@@ -30,17 +30,21 @@ pub struct Statistics {
 pub struct DrawStatistics {
     /// Vertices that went through the vertex stage: more if the pass takes several flushes. Those of clipped triangles go through it again, uncounted.
     pub vertices_shaded: u64,
-    /// Triangles that came in.
+    /// Triangles that came in, whatever is drawn of them.
     pub triangles: u64,
+    /// Lines that came in.
+    pub lines: u64,
+    /// Points that came in.
+    pub points: u64,
     /// Dropped because a vertex has a NaN or infinite position.
     pub non_finite: u64,
     /// Left out because they lie wholly outside the view volume or the guard band.
     pub outside: u64,
     /// Cut, or looked at closely; see [`Statistics::clipped`].
     pub clipped: u64,
-    /// Without an area on the raster, after snapping and clipping.
+    /// Triangles without an area on the raster, after snapping and clipping.
     pub degenerate: u64,
-    /// Left out for the face that they show.
+    /// Triangles left out for the face that they show.
     pub culled: u64,
     /// Tiles that at least one of its triangles may touch, in each flush. Depends on the size of tiles.
     pub tiles: u64,
@@ -56,6 +60,8 @@ impl DrawStatistics {
     pub(crate) fn add(&mut self, other: &Self) {
         self.vertices_shaded += other.vertices_shaded;
         self.triangles += other.triangles;
+        self.lines += other.lines;
+        self.points += other.points;
         self.non_finite += other.non_finite;
         self.outside += other.outside;
         self.clipped += other.clipped;

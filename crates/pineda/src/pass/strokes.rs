@@ -90,11 +90,11 @@ impl Expansion<'_> {
                 self.one([a, b], provoking, provoking, &mut strokes[0], records);
                 continue;
             }
-            let Some((is_back, offset)) = self.triangle(places, &mut strokes[0].fate) else { continue };
+            let Some((is_back, offset)) = self.triangle(places, &mut strokes[0]) else { continue };
             for (k, (stroke, records)) in strokes.iter_mut().zip(records.chunks_mut(RECORDS_EACH * rows)).enumerate() {
-                let fate = stroke.fate;
+                let (fate, is_clipped) = (stroke.fate, stroke.is_clipped);
                 self.one([places[k], places[(k + 1) % 3]], places[k], places[0], stroke, records);
-                (stroke.fate, stroke.is_back) = (fate, is_back);
+                (stroke.fate, stroke.is_clipped, stroke.is_back) = (fate, is_clipped, is_back);
                 stroke.z = stroke.z.map(|z| z + offset);
             }
         }
@@ -108,7 +108,7 @@ impl Expansion<'_> {
     }
 
     /// Whether a triangle shows its back, and the offset of its depths; `None` if it is culled, or nothing of it is there.
-    fn triangle(&self, places: [usize; 3], fate: &mut Fate) -> Option<(bool, f32)> {
+    fn triangle(&self, places: [usize; 3], told: &mut Stroke) -> Option<(bool, f32)> {
         let state = self.call.state();
         let screen = places.map(|place| self.screen[place]);
         let codes = screen.map(ScreenVertex::outcode);
@@ -119,27 +119,38 @@ impl Expansion<'_> {
             Cull::Back => is_back,
         };
         if (codes[0] | codes[1] | codes[2]) & outcode::NON_FINITE != 0 {
-            *fate = Fate::NonFinite;
+            told.fate = Fate::NonFinite;
             return None;
         }
         if codes[0] & codes[1] & codes[2] != 0 {
-            *fate = Fate::Outside;
+            told.fate = Fate::Outside;
             return None;
         }
         if screen.iter().any(|v| v.is_off_raster()) {
-            *fate = Fate::Clipped;
+            told.is_clipped = true;
             let triangle = ClipTriangle::of(self.call, places.map(|place| self.source.vertex(place)));
-            let clipped = clip(self.projection, &triangle, screen)?;
+            let Some(clipped) = clip(self.projection, &triangle, screen) else {
+                told.fate = Fate::Degenerate;
+                return None;
+            };
             let is_back = is_back_if(clipped.is_clockwise);
             let depths: Vec<f32> = clipped.triangles().as_flattened().iter().map(|v| v.z()).collect();
             let offset =
                 self.bias.map_or(0.0, |bias| bias.offset_of_clipped(self.projection, triangle.positions, &depths));
-            return (!is_left_out(is_back)).then_some((is_back, offset));
+            if is_left_out(is_back) {
+                told.fate = Fate::Culled;
+                return None;
+            }
+            return Some((is_back, offset));
         }
         let area = area_x2(screen);
         let is_back = is_back_if(area > 0);
         let offset = self.bias.map_or(0.0, |bias| offset_of(&bias, screen, area));
-        (area != 0 && !is_left_out(is_back)).then_some((is_back, offset))
+        if area == 0 || is_left_out(is_back) {
+            told.fate = if area == 0 { Fate::Degenerate } else { Fate::Culled };
+            return None;
+        }
+        Some((is_back, offset))
     }
 
     fn position(&self, place: usize) -> [f32; 4] {
@@ -223,7 +234,7 @@ impl Expansion<'_> {
             screen
         } else {
             let is_cut_anyhow = screen.iter().any(|v| v.is_off_raster());
-            stroke.fate = if is_cut_anyhow { Fate::Clipped } else { Fate::Usual };
+            stroke.is_clipped = is_cut_anyhow;
             let sides = outcode::LEFT | outcode::RIGHT | outcode::TOP | outcode::BOTTOM;
             let planes = codes[0] | codes[1] | sides;
             let positions = ends.map(|place| self.position(place));

@@ -124,6 +124,8 @@ impl Share {
         let now = &self.statistics;
         self.draws[draw].add(&DrawStatistics {
             triangles: now.triangles - before.triangles,
+            lines: now.lines - before.lines,
+            points: now.points - before.points,
             non_finite: now.non_finite - before.non_finite,
             outside: now.outside - before.outside,
             clipped: now.clipped - before.clipped,

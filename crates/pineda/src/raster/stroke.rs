@@ -46,6 +46,7 @@ pub(crate) struct Stroke {
     /// Whether it is of a triangle that shows its back.
     pub(crate) is_back: bool,
     pub(crate) fate: Fate,
+    pub(crate) is_clipped: bool,
 }
 
 /// What became of the primitive that a stroke is the first of.
@@ -56,12 +57,16 @@ pub(crate) enum Fate {
     Usual,
     NonFinite,
     Outside,
-    Clipped,
+    /// Of a triangle that is drawn as edges or corners.
+    Degenerate,
+    Culled,
 }
 
 /// What setup must know of a run of strokes.
 #[derive(Clone, Copy)]
 pub(crate) struct StrokeState<'a> {
+    /// Whether degenerate and culled triangles are counted.
+    pub(crate) counts: bool,
     pub(crate) level: Level,
     pub(crate) grid: TileGrid,
     pub(crate) rect: PixelRect,
@@ -83,8 +88,10 @@ pub(crate) fn set_up_strokes(state: &StrokeState<'_>, strokes: &[Stroke], first_
             Fate::Usual => {}
             Fate::NonFinite => share.statistics.non_finite += 1,
             Fate::Outside => share.statistics.outside += 1,
-            Fate::Clipped => share.statistics.clipped += 1,
+            Fate::Degenerate => share.degenerate += u64::from(state.counts),
+            Fate::Culled => share.culled += u64::from(state.counts),
         }
+        share.statistics.clipped += u64::from(stroke.is_clipped);
     }
     for (k, eight) in strokes.chunks(8).enumerate() {
         let number = first_number + 8 * k;

@@ -65,7 +65,7 @@ fn fragments_shaded_are_those_that_must_be() {
     }
 }
 
-/// What becomes of triangles: non-finite, without an area, culled, or none of these.
+/// What becomes of triangles: non-finite, without an area, culled, or none of these; whatever is drawn of them.
 #[test]
 fn triangles_are_counted_by_what_becomes_of_them() {
     for seed in 0..200 {
@@ -73,6 +73,7 @@ fn triangles_are_counted_by_what_becomes_of_them() {
         let size = random.pick(&[0.01, 3.0, 60.0, 9_000.0]);
         let (mut vertices, mut wanted) = (Vec::new(), DrawStatistics::default());
         let cull = random.pick(&[Cull::None, Cull::Front, Cull::Back]);
+        let polygon_mode = random.pick(&[PolygonMode::Fill, PolygonMode::Line, PolygonMode::Point]);
         for _ in 0..random.between(1, 700) {
             let middle = [random.real(-5.0, 45.0), random.real(-5.0, 20.0)];
             let mut corners = [0; 3].map(|_| middle.map(|v| v + random.real(-size, size)));
@@ -103,7 +104,7 @@ fn triangles_are_counted_by_what_becomes_of_them() {
         let before = Mesh { vertices: &vertices[..vertices.len() / 2 / 3 * 3], indices: Indices::Sequential };
         pass.draw(&Probe, before, DrawState { space: Space::Raster, ..DrawState::default() });
         let mesh = Mesh { vertices: &vertices, indices: Indices::Sequential };
-        pass.draw(&Probe, mesh, DrawState { space: Space::Raster, cull, ..DrawState::default() });
+        pass.draw(&Probe, mesh, DrawState { space: Space::Raster, cull, polygon_mode, ..DrawState::default() });
         for settings in settings(seed) {
             let mut renderer = Renderer::new(settings.clone()).expect("available");
             let found = renderer.render_counted(&pass, &mut Target::new(WIDTH, HEIGHT)).expect("valid")[1];
@@ -111,5 +112,29 @@ fn triangles_are_counted_by_what_becomes_of_them() {
             wanted.samples_passed = found.samples_passed;
             assert_eq!(found, wanted, "seed {seed}, {settings:?}");
         }
+    }
+}
+
+/// Lines and points are counted apart, and by what becomes of them.
+#[test]
+fn lines_and_points_are_counted_by_what_becomes_of_them() {
+    let vertex = |position| ProbeVertex { position, ..ProbeVertex::default() };
+    let inside = [[-0.5, 0.0, 0.5, 1.0], [0.5, 0.25, 0.5, 1.0]];
+    let (before, beyond) = ([0.5, 0.0, -0.5, 1.0], [0.0, 0.0, 2.0, 1.0]);
+    let ends = [inside, [inside[0], before], [beyond, beyond], [inside[1], [f32::NAN, 0.0, 0.5, 1.0]]];
+    let vertices = ends.as_flattened().iter().copied().map(vertex).collect::<Vec<_>>();
+    let mesh = Mesh { vertices: &vertices, indices: Indices::Sequential };
+    let mut pass = Pass::new();
+    for topology in [PrimitiveTopology::LineList, PrimitiveTopology::PointList] {
+        pass.draw(&Probe, mesh, DrawState { topology, ..DrawState::default() });
+    }
+    for settings in settings(0) {
+        let mut renderer = Renderer::new(settings.clone()).expect("available");
+        let found = renderer.render_counted(&pass, &mut Target::new(WIDTH, HEIGHT)).expect("valid");
+        let numbers = |draw: &DrawStatistics| {
+            [draw.triangles, draw.lines, draw.points, draw.non_finite, draw.outside, draw.clipped, draw.culled]
+        };
+        assert_eq!(numbers(&found[0]), [0, 4, 0, 1, 1, 1, 0], "{settings:?}");
+        assert_eq!(numbers(&found[1]), [0, 0, 8, 1, 3, 0, 0], "{settings:?}");
     }
 }
