@@ -13,6 +13,7 @@ mod boolean;
 mod color;
 mod exponential;
 mod integer;
+mod integer_color;
 mod matrix;
 mod operand;
 mod real;
@@ -28,7 +29,8 @@ mod edges;
 
 pub use boolean::{Bool, Select};
 pub use color::Rgba;
-pub use integer::{Int, RgbaI, RgbaU, Uint};
+pub use integer::{Int, Uint};
+pub use integer_color::{RgbaI, RgbaU};
 pub use matrix::Mat4;
 pub use operand::{Splat, ToLanes};
 pub use real::Real;

@@ -5,6 +5,7 @@ mod blend;
 mod colors;
 pub(crate) mod draw_call;
 mod input;
+mod memory;
 pub(crate) mod plan;
 mod polygon_mode;
 mod primitives;

@@ -1,6 +1,7 @@
 //! The records of a share of the batch's triangles, and which tiles they touch.
 
-use super::record::{LargeTriangle, MidTriangle, SmallTriangle};
+use super::record::{LargeTriangle, MidTriangle, SampleBox, SmallTriangle};
+use crate::geometry::raster_space::{HALF_PIXEL, SUBPIXELS};
 use crate::pass::{DrawStatistics, Statistics};
 
 /// The grid of tiles that covers a target.
@@ -140,6 +141,47 @@ impl Share {
         if self.segments.last().is_none_or(|last| last.segment != segment) {
             let (small, mid, large) = (self.small.len(), self.mid.len(), self.large.len());
             self.segments.push(SegmentStart { segment, small, mid, large });
+        }
+    }
+}
+
+/// Enters a record into every tile of its box.
+#[inline(always)]
+pub(crate) fn bin(bins: &mut [Vec<BinEntry>], grid: &TileGrid, tiles: SampleBox, entry: BinEntry) {
+    let mut y = tiles.y0;
+    while y <= tiles.y1 {
+        let mut x = tiles.x0;
+        while x <= tiles.x1 {
+            bins[y as usize * grid.columns as usize + x as usize].push(entry);
+            x += 1;
+        }
+        y += 1;
+    }
+}
+
+/// Enters a large record into those tiles of its box that it may touch: not those wholly on the outer side of an edge.
+#[inline(never)]
+pub(crate) fn bin_large(
+    bins: &mut [Vec<BinEntry>],
+    grid: &TileGrid,
+    tiles: SampleBox,
+    entry: BinEntry,
+    t: &LargeTriangle,
+) {
+    let side = i64::from(((1 << grid.log2) - 1) * SUBPIXELS);
+    for y in tiles.y0..=tiles.y1 {
+        for x in tiles.x0..=tiles.x1 {
+            let first = |tile: i32| i64::from((tile << grid.log2) * SUBPIXELS + HALF_PIXEL);
+            let (px, py) = (first(x), first(y));
+            let is_outside = (0..3).any(|k| {
+                let (a, b) = (t.vertex(k), t.vertex((k + 1) % 3));
+                let (dx, dy) = (b.0 - a.0, b.1 - a.1);
+                // At the tile's innermost sample.
+                dx * (py - a.1) - dy * (px - a.0) + (dx * side).max(0) + (-dy * side).max(0) < 0
+            });
+            if !is_outside {
+                bins[y as usize * grid.columns as usize + x as usize].push(entry);
+            }
         }
     }
 }

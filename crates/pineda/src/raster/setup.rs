@@ -10,7 +10,7 @@
 //!
 //! for vertices in clockwise order on the picture: positive inside (Pineda 1988; his has the other sign, for the other winding).
 
-use super::bins::{BinEntry, Kind, Share, TileGrid};
+use super::bins::{BinEntry, Kind, Share, TileGrid, bin, bin_large};
 use super::corners::{Corners, Sixteen};
 use super::depth_bias::Bias;
 use super::record::{LargeTriangle, MID_EXTENT, MidTriangle, SMALL_EXTENT, SampleBox, SmallTriangle};
@@ -556,39 +556,4 @@ fn pack<S: Simd>(low: i32x16<S>, high: i32x16<S>) -> u32x16<S> {
 #[inline(always)]
 fn float<S: Simd>(v: i32x16<S>) -> f32x16<S> {
     v.to_float()
-}
-
-/// Enters a record into every tile of its box.
-#[inline(always)]
-fn bin(bins: &mut [Vec<BinEntry>], grid: &TileGrid, tiles: SampleBox, entry: BinEntry) {
-    let mut y = tiles.y0;
-    while y <= tiles.y1 {
-        let mut x = tiles.x0;
-        while x <= tiles.x1 {
-            bins[y as usize * grid.columns as usize + x as usize].push(entry);
-            x += 1;
-        }
-        y += 1;
-    }
-}
-
-/// Enters a large record into those tiles of its box that it may touch: not those wholly on the outer side of an edge.
-#[inline(never)]
-fn bin_large(bins: &mut [Vec<BinEntry>], grid: &TileGrid, tiles: SampleBox, entry: BinEntry, t: &LargeTriangle) {
-    let side = i64::from(((1 << grid.log2) - 1) * SUBPIXELS);
-    for y in tiles.y0..=tiles.y1 {
-        for x in tiles.x0..=tiles.x1 {
-            let first = |tile: i32| i64::from((tile << grid.log2) * SUBPIXELS + HALF_PIXEL);
-            let (px, py) = (first(x), first(y));
-            let is_outside = (0..3).any(|k| {
-                let (a, b) = (t.vertex(k), t.vertex((k + 1) % 3));
-                let (dx, dy) = (b.0 - a.0, b.1 - a.1);
-                // At the tile's innermost sample.
-                dx * (py - a.1) - dy * (px - a.0) + (dx * side).max(0) + (-dy * side).max(0) < 0
-            });
-            if !is_outside {
-                bins[y as usize * grid.columns as usize + x as usize].push(entry);
-            }
-        }
-    }
 }
