@@ -25,7 +25,7 @@ mod numbers;
 mod probe;
 mod settings;
 
-pub use drawing::{Drawing, draw_case};
+pub use drawing::{Drawing, draw_case, draw_case_with_samples};
 pub use judge::{Judge, Tally};
 pub use numbers::{BARYCENTRIC_ULPS, DEPTH_ROUNDINGS, VARYING_ROUNDINGS};
 pub use probe::{Probe, ProbeVertex, Probed};

@@ -78,7 +78,14 @@ impl DepthPyramid {
         }
         let expected = width as usize * height as usize;
         if depth.len() != expected {
-            return Err(Error::BufferLength { buffer: "depth", length: depth.len(), expected, width, height });
+            return Err(Error::BufferLength {
+                buffer: "depth",
+                length: depth.len(),
+                expected,
+                width,
+                height,
+                samples: 1,
+            });
         }
         // Reversed, depths are negative: nearer is smaller again.
         let sign = if is_reversed { -1.0 } else { 1.0 };

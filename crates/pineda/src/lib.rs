@@ -106,9 +106,10 @@ pub use error::Error;
 pub use pass::{
     Blend, BlendComponent, BlendFactor, BlendOperation, ClearColor, ColorMask, ColorOps, ColorState, Compare, Cull,
     DepthBias, DepthState, DrawState, DrawStatistics, FrontFace, Indices, Instanced, Load, MAX_LINE_WIDTH,
-    MAX_POINT_SIZE, Mesh, Pass, PolygonMode, PrimitiveTopology, ProvokingVertex, Renderer, Scissor, Space, Statistics,
-    StencilFace, StencilOperation, StencilState, Store, Viewport,
+    MAX_POINT_SIZE, Mesh, Pass, PolygonMode, PrimitiveTopology, ProvokingVertex, Renderer, Sampling, Scissor, Space,
+    Statistics, StencilFace, StencilOperation, StencilState, Store, Viewport,
 };
+pub use raster::samples::Samples;
 pub use settings::{Settings, Simd, TileSize, UnknownSimd};
 pub use target::{ColorBuffer, DepthBuffer, MAX_COLORS, MAX_SIZE, NO_ID, Target, f16_to_f32, f32_to_f16};
 

@@ -5,7 +5,9 @@ mod blend;
 mod colors;
 pub(crate) mod draw_call;
 mod input;
+pub(crate) mod kept;
 mod memory;
+mod multisample;
 pub(crate) mod plan;
 mod polygon_mode;
 mod primitives;
@@ -18,6 +20,7 @@ mod validate;
 
 pub use blend::{Blend, BlendComponent, BlendFactor, BlendOperation, ColorMask};
 pub use colors::{ClearColor, ColorOps, ColorState, Load, Store};
+pub use multisample::Sampling;
 pub use polygon_mode::{MAX_LINE_WIDTH, MAX_POINT_SIZE, PolygonMode};
 pub use primitives::{Indices, Instanced, PrimitiveTopology, ProvokingVertex};
 pub use render::Renderer;

@@ -1,6 +1,6 @@
 //! The fixed-function settings of a draw: plain structs with defaults.
 
-use super::{Blend, ColorMask, ColorState, PolygonMode, PrimitiveTopology, ProvokingVertex, StencilState};
+use super::{Blend, ColorMask, ColorState, PolygonMode, PrimitiveTopology, ProvokingVertex, Sampling, StencilState};
 
 /// Everything about a draw that is not its shader or its mesh.
 ///
@@ -162,6 +162,30 @@ pub struct DrawState {
     /// ```
     // As long as `MAX_COLORS`, by number: closures that capture fields of such a type whose length is a constant's name crash rustc 1.95.
     pub colors: [Option<ColorState>; 8],
+    /// Where fragments are shaded if the target has [several samples](crate::Target::samples).
+    pub sampling: Sampling,
+    /// Which of a pixel's samples are covered at most: bit k is for sample k. Bits beyond the target's samples are ignored.
+    pub sample_mask: u32,
+    /// Whether the alpha of what the fragment stage returns (first) decides how many of a pixel's samples are covered: the first `round(alpha n)` of n, of those that the
+    /// triangle covers. So foliage and hair may be drawn without sorting. Colours of integers have no alpha, and are not touched.
+    ///
+    /// ```
+    /// use pineda::*;
+    /// let corners = [[0.0, 0.0], [0.0, 2.0], [2.0, 0.0]];
+    /// let mut pass = Pass::new();
+    /// pass.draw_with(
+    ///     Mesh { vertices: &corners, indices: Indices::Sequential },
+    ///     DrawState { alpha_to_coverage: true, space: Space::Raster, ..DrawState::default() },
+    ///     |&[x, y]| (Vec4::from([x, y, 0.0, 1.0]), ()),
+    ///     |f| f.splat([1.0, 1.0, 1.0, 0.5]).into(),
+    /// );
+    /// let mut pixels = [[0.0; 4]; 1];
+    /// let mut target = Target { samples: Samples::Four, color: ColorBuffer::Rgba32F(&mut pixels), ..Target::new(1, 1) };
+    /// Renderer::new(Settings::default())?.render(&pass, &mut target)?;
+    /// assert_eq!(pixels[0], [0.5, 0.5, 0.5, 0.25], "two samples of four, with an alpha of 0.5");
+    /// # Ok::<(), Error>(())
+    /// ```
+    pub alpha_to_coverage: bool,
     /// The part of the target that is drawn to; all of it when `None`.
     pub viewport: Option<Viewport>,
     /// Nothing is drawn outside of it; no bounds but the viewport's when `None`.
@@ -188,6 +212,9 @@ impl DrawState {
         blend: Blend::OPAQUE,
         color_mask: ColorMask::ALL,
         colors: [None; 8],
+        sampling: Sampling::Centroid,
+        sample_mask: u32::MAX,
+        alpha_to_coverage: false,
         viewport: None,
         scissor: None,
     };

@@ -6,6 +6,7 @@ pub(crate) mod depth_bias;
 pub(crate) mod diamond_exit;
 pub(crate) mod groups;
 pub(crate) mod record;
+pub(crate) mod samples;
 pub(crate) mod setup;
 pub(crate) mod smooth;
 pub(crate) mod stroke;

@@ -16,6 +16,8 @@ pub(crate) struct Fragments<'a> {
     /// The block's first pixel.
     pub(crate) x: i32,
     pub(crate) y: i32,
+    /// How far the lanes lie off their pixels' centres, in subpixels, if they do.
+    pub(crate) moved: Option<&'a [[i32; 16]; 2]>,
 }
 
 /// The different triangles of a packet, and the way in which it is interpolated.

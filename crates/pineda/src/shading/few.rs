@@ -5,7 +5,8 @@ use super::cached::{TRIANGLE_HEADER, TriangleCache};
 use super::distinct::{Distinct, Fragments};
 use super::packet::{BATCH, PacketBatch, PacketRows, VaryingLayout};
 use super::weights::Weights;
-use crate::tile::view::BlockLanes;
+use crate::geometry::raster_space::SUBPIXELS;
+use crate::tile::view::{BlockLanes, Positions};
 use crate::wide::{Simd, i32x16, mask32x16, u32x4, u32x16};
 
 /// Packets of up to `N` triangles, all of them in the cache.
@@ -25,16 +26,8 @@ pub(crate) fn few<S: Simd, const N: usize>(
             let mut i = 0;
             while i < list.len() {
                 let k = list[i] as usize;
-                let (packet, mut rows) = batch.packet(k);
-                from_cache::<S, N>(
-                    s,
-                    layout,
-                    &packet.fragments(),
-                    &distinct[k & (BATCH - 1)],
-                    &lanes,
-                    cache,
-                    &mut rows,
-                );
+                let (fragments, mut rows) = batch.packet(k);
+                from_cache::<S, N>(s, layout, &fragments, &distinct[k & (BATCH - 1)], &lanes, cache, &mut rows);
                 i += 1;
             }
         },
@@ -59,8 +52,8 @@ fn from_cache<S: Simd, const N: usize>(
         t += 1;
     }
     let pick = Pick::<S, N>::new(s, distinct);
-    let x = lanes.column + fragments.x;
-    let y = lanes.row + fragments.y;
+    let at = Positions::new(s, lanes, fragments.moved);
+    let (x, y) = (at.x + fragments.x * SUBPIXELS, at.y + fragments.y * SUBPIXELS);
     let one = pick.row(s, &triangles, 0).map(u32x16::bitcast::<i32x16<S>>);
     let two = pick.row(s, &triangles, 1).map(u32x16::bitcast::<i32x16<S>>);
     let e1 = (x * one[0] + y * one[1]) + one[2];
@@ -75,6 +68,10 @@ fn from_cache<S: Simd, const N: usize>(
         let [f0, d1, d2, _] = pick.row(s, &triangles, TRIANGLE_HEADER + k);
         both.set::<false>(layout, rows, k, Corner3 { f0: f0.bitcast(), d1: d1.bitcast(), d2: d2.bitcast() });
         k += 1;
+    }
+    if layout.depth {
+        let [z0, d1, d2, _] = pick.row(s, &triangles, TRIANGLE_HEADER + layout.interpolation.len());
+        *rows.z = weights.depth(s, Corner3 { f0: z0.bitcast(), d1: d1.bitcast(), d2: d2.bitcast() }).into();
     }
 }
 

@@ -16,12 +16,13 @@ pub(crate) struct Last<S: Simd> {
     prepared: Prepared<S>,
     /// Each varying at the first vertex, and by how much the others exceed it.
     corners: [[f32; 3]; MAX_VARYINGS],
+    depths: [f32; 3],
 }
 
 impl<S: Simd> Last<S> {
     #[inline(always)]
     pub(crate) fn none(s: S) -> Self {
-        Self { id: TriangleId(0), prepared: Prepared::none(s), corners: [[0.0; 3]; MAX_VARYINGS] }
+        Self { id: TriangleId(0), prepared: Prepared::none(s), corners: [[0.0; 3]; MAX_VARYINGS], depths: [0.0; 3] }
     }
 }
 
@@ -40,8 +41,8 @@ pub(crate) fn large<S: Simd>(
     let mut i = 0;
     while i < list.len() {
         let k = list[i] as usize;
-        let (packet, mut rows) = batch.packet(k);
-        one(s, run, layout, &packet.fragments(), TriangleId(distinct[k & (BATCH - 1)].ids[0]), &lanes, last, &mut rows);
+        let (fragments, mut rows) = batch.packet(k);
+        one(s, run, layout, &fragments, TriangleId(distinct[k & (BATCH - 1)].ids[0]), &lanes, last, &mut rows);
         i += 1;
     }
 }
@@ -70,13 +71,21 @@ fn one<S: Simd>(
             last.corners[k] = run.vertex_values(each, &places, k, false);
             k += 1;
         }
+        if layout.depth {
+            last.depths = run.vertex_depths([a, b, c]);
+        }
     }
-    let both = Both::new::<false>(s, &last.prepared.weights(s, fragments.x, fragments.y), layout);
+    let weights = last.prepared.weights(s, fragments.x, fragments.y);
+    let both = Both::new::<false>(s, &weights, layout);
     let mut k = 0;
     while k < varyings {
         let [f0, d1, d2] = last.corners[k];
         let corner = Corner3 { f0: f32x16::splat(s, f0), d1: f32x16::splat(s, d1), d2: f32x16::splat(s, d2) };
         both.set::<false>(layout, rows, k, corner);
         k += 1;
+    }
+    if layout.depth {
+        let [f0, d1, d2] = last.depths.map(|z| f32x16::splat(s, z));
+        *rows.z = weights.depth(s, Corner3 { f0, d1, d2 }).into();
     }
 }

@@ -4,6 +4,7 @@
 
 use super::distinct::Fragments;
 use super::{__Row4 as Row4, Frag, FragParts, FragmentStage, Interpolation, OutputLayout, Outputs, Varyings};
+use crate::geometry::raster_space::{HALF_PIXEL, SUBPIXELS};
 use crate::lanes::Packet;
 use crate::math::{Bool, Real, Vec2};
 use crate::raster::triangle_id::{CLIPPED_CLOCKWISE, ORDER_BITS};
@@ -21,6 +22,8 @@ pub(crate) struct VaryingLayout {
     pub(crate) derivatives: bool,
     /// Whether the last two numbers are a point's coordinates.
     pub(crate) point_coord: bool,
+    /// Whether the depth is interpolated, too.
+    pub(crate) depth: bool,
     /// Whether everything is interpolated with perspective and no derivative is asked for.
     pub(crate) is_plain: bool,
 }
@@ -28,7 +31,7 @@ pub(crate) struct VaryingLayout {
 impl VaryingLayout {
     pub(crate) fn new(interpolation: &'static [Interpolation], derivatives: bool) -> Self {
         let is_plain = !derivatives && interpolation.iter().all(|&i| i == Interpolation::Perspective);
-        Self { interpolation, derivatives, point_coord: false, is_plain }
+        Self { interpolation, derivatives, point_coord: false, depth: false, is_plain }
     }
 
     /// Rows of a packet: the varyings and, if asked for, their derivatives along x and y.
@@ -42,6 +45,17 @@ pub(crate) struct PacketRows<'a> {
     pub(crate) here: &'a mut [[f32; 16]],
     pub(crate) dx: &'a mut [[f32; 16]],
     pub(crate) dy: &'a mut [[f32; 16]],
+    pub(crate) z: &'a mut [f32; 16],
+}
+
+/// Whether a packet's fragments are shaded elsewhere than at their pixels' centres.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Moved {
+    No,
+    /// Some lanes are, each to a place of its own that its triangle covers; the fragments are the pixels' still.
+    ByLane,
+    /// All are, to one sample, whose fragments they are.
+    ToSample,
 }
 
 /// What a fragment stage gets beside the varyings, and what it leaves.
@@ -64,8 +78,8 @@ pub(crate) struct PacketState {
 impl PacketState {
     /// What is to be shaded.
     #[inline(always)]
-    pub(crate) fn fragments(&self) -> Fragments<'_> {
-        Fragments { ids: &self.ids, mask: self.alive, x: self.x, y: self.y }
+    pub(crate) fn fragments<'a>(&'a self, moved: Option<&'a [[i32; 16]; 2]>) -> Fragments<'a> {
+        Fragments { ids: &self.ids, mask: self.alive, x: self.x, y: self.y, moved }
     }
 }
 
@@ -81,6 +95,11 @@ pub(crate) struct PacketBatch {
     more_each: usize,
     derivatives: bool,
     front_is_clockwise: bool,
+    /// How far the lanes of each packet are moved off their pixels' centres, in subpixels.
+    moved: [Moved; BATCH],
+    offsets: [[[i32; 16]; 2]; BATCH],
+    /// Interpolated depths.
+    z: [[f32; 16]; BATCH],
 }
 
 impl PacketBatch {
@@ -94,12 +113,16 @@ impl PacketBatch {
             more_each: 0,
             derivatives: false,
             front_is_clockwise: false,
+            moved: [Moved::No; BATCH],
+            offsets: [[[0; 16]; 2]; BATCH],
+            z: [[0.0; 16]; BATCH],
         }
     }
 
     /// Empties the batch for packets of this layout.
     pub(crate) fn start(&mut self, layout: &VaryingLayout, front_is_clockwise: bool) {
         self.count = 0;
+        self.moved = [Moved::No; BATCH];
         self.rows_each = layout.rows();
         self.derivatives = layout.derivatives;
         self.front_is_clockwise = front_is_clockwise;
@@ -127,14 +150,49 @@ impl PacketBatch {
         packet
     }
 
-    /// Packet `k` and its rows.
+    /// Moves the lanes of the last packet off their pixels' centres.
+    pub(crate) fn shift(&mut self, moved: Moved, offsets: [[i32; 16]; 2]) {
+        let last = self.count.wrapping_sub(1) & (BATCH - 1);
+        (self.moved[last], self.offsets[last]) = (moved, offsets);
+    }
+
+    /// Whether a packet is moved.
     #[inline(always)]
-    pub(crate) fn packet(&mut self, k: usize) -> (&PacketState, PacketRows<'_>) {
+    pub(crate) fn is_moved(&self, k: usize) -> bool {
+        self.moved[k & (BATCH - 1)] != Moved::No
+    }
+
+    /// Replaces the interpolated depths: by what a function makes of a triangle's id and a place on the raster, in subpixels.
+    pub(crate) fn set_depths(&mut self, depth: impl Fn(u32, [i32; 2]) -> f32) {
+        for (k, packet) in self.packets.iter().enumerate().take(self.count) {
+            let mut rest = packet.alive & 0xffff;
+            while rest != 0 {
+                let lane = rest.trailing_zeros() as usize & 15;
+                rest &= rest - 1;
+                let [dx, dy] = if self.moved[k] == Moved::No { [0; 2] } else { self.offsets[k].map(|row| row[lane]) };
+                let (x, y) = (packet.x + (lane & 3) as i32, packet.y + (lane >> 2) as i32);
+                let center = |v: i32| v * SUBPIXELS + HALF_PIXEL;
+                self.z[k][lane] = depth(packet.ids[lane], [center(x) + dx, center(y) + dy]);
+            }
+        }
+    }
+
+    /// Takes the interpolated depths for the fragments'.
+    pub(crate) fn take_depths(&mut self, low: f32, high: f32) {
+        for (packet, z) in self.packets.iter_mut().zip(&self.z).take(self.count) {
+            packet.depth = z.map(|z| if z > low { if z < high { z } else { high } } else { low }.to_bits() as i32);
+        }
+    }
+
+    /// The fragments of packet `k`, and its rows.
+    #[inline(always)]
+    pub(crate) fn packet(&mut self, k: usize) -> (Fragments<'_>, PacketRows<'_>) {
         let rows = &mut self.rows[k * self.rows_each..(k + 1) * self.rows_each];
         let each = if self.derivatives { rows.len() / 3 } else { rows.len() };
         let (here, rest) = rows.split_at_mut(each);
         let (dx, dy) = rest.split_at_mut(if self.derivatives { each } else { 0 });
-        (&self.packets[k], PacketRows { here, dx, dy })
+        let moved = if self.moved[k & (BATCH - 1)] == Moved::No { None } else { Some(&self.offsets[k & (BATCH - 1)]) };
+        (self.packets[k].fragments(moved), PacketRows { here, dx, dy, z: &mut self.z[k & (BATCH - 1)] })
     }
 
     /// What the fragments of packet `k` have beside a colour.
@@ -202,6 +260,11 @@ impl PacketBatch {
             let clockwise = code.simd_lt(3) | code.simd_eq(CLIPPED_CLOCKWISE as i32);
             parts.x = Real(lanes.x + (packet.x as f32 + 0.5));
             parts.y = Real(lanes.y + (packet.y as f32 + 0.5));
+            if self.moved[k & (BATCH - 1)] == Moved::ToSample {
+                let [[x, ..], [y, ..]] = self.offsets[k & (BATCH - 1)];
+                parts.x = parts.x + x as f32 / SUBPIXELS as f32;
+                parts.y = parts.y + y as f32 / SUBPIXELS as f32;
+            }
             parts.z = Real(i32x16::simd_from(s, packet.depth).bitcast());
             parts.front_facing = Bool(if self.front_is_clockwise { clockwise } else { !clockwise });
             parts.alive = Bool(mask32x16::from_bitmask(s, u64::from(packet.alive)));

@@ -59,16 +59,22 @@ pub(crate) struct Shading<'a> {
 impl Shading<'_> {
     /// How many colours beyond the first go to a buffer. A second source does not.
     #[inline(always)]
-    fn further(&self) -> usize {
+    pub(super) fn further(&self) -> usize {
         self.call.outputs().kinds.len().saturating_sub(1).min(self.more_colors.len())
     }
 
     /// Counts the lanes of a block.
     #[inline(always)]
     fn count(&mut self, block: usize, fragments: u32, samples: u32) {
+        self.count_of(block, fragments.count_ones(), samples.count_ones());
+    }
+
+    /// Counts fragments that are shaded and samples that pass in a block.
+    #[inline(always)]
+    pub(super) fn count_of(&mut self, block: usize, fragments: u32, samples: u32) {
         if let Some(counted) = self.counted.as_deref_mut().filter(|_| !self.view.is_border(block)) {
-            counted.fragments_shaded += u64::from(fragments.count_ones());
-            counted.samples_passed += u64::from(samples.count_ones());
+            counted.fragments_shaded += u64::from(fragments);
+            counted.samples_passed += u64::from(samples);
         }
     }
 }
@@ -79,7 +85,7 @@ pub(crate) fn shade_visible<S: Simd>(s: S, shading: &mut Shading<'_>, packets: &
     let layout = shading.call.layout();
     let position = |vertex: usize| shading.call.position(vertex);
     let (mut last, mut distinct) = (Last::none(s), [Distinct::NONE; BATCH]);
-    shading.cache.start(shading.run, layout.interpolation.len());
+    shading.cache.start(shading.run, &layout);
     let further = shading.further();
     let mut first = 0;
     while first < packets.len() {
@@ -129,7 +135,7 @@ pub(crate) fn shade_in_order<S: Simd>(s: S, shading: &mut Shading<'_>, packets: 
     let layout = shading.call.layout();
     let position = |vertex: usize| shading.call.position(vertex);
     let (mut last, mut distinct) = (Last::none(s), [Distinct::NONE; BATCH]);
-    shading.cache.start(shading.run, layout.interpolation.len());
+    shading.cache.start(shading.run, &layout);
     let call = shading.call;
     let (state, discards) = (call.state(), call.discards());
     let tests = Tests { state, front_is_clockwise: shading.run.front_is_clockwise };
@@ -191,7 +197,7 @@ pub(crate) fn shade_in_order<S: Simd>(s: S, shading: &mut Shading<'_>, packets: 
 }
 
 #[inline(always)]
-fn contains(batch: &PacketBatch, block: u32) -> bool {
+pub(super) fn contains(batch: &PacketBatch, block: u32) -> bool {
     let mut found = false;
     let mut k = 0;
     while k < batch.len() {
@@ -243,7 +249,7 @@ fn merge<S: Simd>(s: S, shading: &mut Shading<'_>) {
 
 /// What the samples that passed leave in the tile, but for colour and stencil.
 #[inline(always)]
-fn keep<S: Simd>(
+pub(super) fn keep<S: Simd>(
     s: S,
     tile: &mut Tile,
     writes_depth: bool,
@@ -263,14 +269,14 @@ fn keep<S: Simd>(
 
 /// What becomes of a colour, found out once a batch.
 #[derive(Clone, Copy)]
-enum How {
+pub(super) enum How {
     Replace,
     Alpha,
     Any,
 }
 
 impl How {
-    fn of(state: &ColorState) -> Self {
+    pub(super) fn of(state: &ColorState) -> Self {
         let Blend { color, alpha, .. } = Blend::ALPHA;
         match state.blend {
             blend if blend.replaces() => Self::Replace,
@@ -283,7 +289,7 @@ impl How {
 /// Brings one colour into the tile's; of a smooth line, by the parts of the pixels that it covers.
 #[inline(always)]
 #[expect(clippy::too_many_arguments, reason = "inlined")]
-fn merge_color<S: Simd>(
+pub(super) fn merge_color<S: Simd>(
     s: S,
     tile: &mut TileColor,
     block: usize,
@@ -309,7 +315,7 @@ fn merge_color<S: Simd>(
 }
 
 #[inline(always)]
-fn channels<S: Simd>(s: S, color: &Row4) -> Channels<S> {
+pub(super) fn channels<S: Simd>(s: S, color: &Row4) -> Channels<S> {
     let [r, g, b, a] = *color;
     [f32x16::simd_from(s, r), f32x16::simd_from(s, g), f32x16::simd_from(s, b), f32x16::simd_from(s, a)]
 }

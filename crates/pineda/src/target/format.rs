@@ -181,6 +181,34 @@ impl TileColor {
         }
     }
 
+    /// Whether two blocks hold the same.
+    #[inline(always)]
+    pub(crate) fn is_same<S: Simd>(&self, s: S, a: usize, b: usize) -> bool {
+        let each = self.format.words();
+        let mut same = mask32x16::splat(s, true);
+        let mut k = 0;
+        while k < each {
+            let (a, b) =
+                (u32x16::simd_from(s, self.words[each * a + k]), u32x16::simd_from(s, self.words[each * b + k]));
+            same = same & a.simd_eq(b);
+            k += 1;
+        }
+        same.to_bitmask() == 0xffff
+    }
+
+    /// Copies the colours of some of a block's samples from another block.
+    #[inline(always)]
+    pub(crate) fn copy_block<S: Simd>(&mut self, s: S, from: usize, to: usize, mask: mask32x16<S>) {
+        let each = self.format.words();
+        let mut k = 0;
+        while k < each {
+            let word = u32x16::simd_from(s, self.words[each * from + k]);
+            let there = &mut self.words[each * to + k];
+            *there = mask.select(word, u32x16::simd_from(s, *there)).into();
+            k += 1;
+        }
+    }
+
     #[inline(always)]
     fn store_packed<S: Simd>(
         &mut self,

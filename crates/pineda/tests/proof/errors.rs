@@ -75,7 +75,7 @@ fn buffers_hold_one_element_a_pixel() {
     ];
     for (buffer, mut target) in targets {
         let error = renderer().render(&Pass::new(), &mut target).expect_err("one element is missing");
-        assert_eq!(error, Error::BufferLength { buffer, length: 7, expected: 8, width: 4, height: 2 });
+        assert_eq!(error, Error::BufferLength { buffer, length: 7, expected: 8, width: 4, height: 2, samples: 1 });
         let message = format!("the target's {buffer} buffer holds 7 elements, but 4 x 2 pixels need 8");
         assert_eq!(error.to_string(), message);
     }

@@ -7,6 +7,7 @@ mod encodings;
 mod errors;
 mod fragments;
 mod garbage;
+mod multisample;
 mod occlusion;
 mod passes;
 mod primitives;

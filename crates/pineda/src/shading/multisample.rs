@@ -1,0 +1,405 @@
+//! Shading of multisampled pixels: once a pixel and triangle, however many of its samples show or cover it; or once a sample, if a draw asks for that.
+//!
+//! A block of the picture has one block for each sample in the tile's buffers. Its fragments are put together from these: those that several samples
+//! share are shaded once, and the colour goes to each of the samples, which are tested and blended one by one.
+
+use super::centroid::Borders;
+use super::distinct::Distinct;
+use super::interpolate::interpolate;
+use super::large::Last;
+use super::packet::{BATCH, Moved, VaryingLayout};
+use super::shade::{How, OrderedPacket, Shading, channels, contains, keep, merge_color};
+use super::stencil::Tests;
+use crate::pass::plan::{Batch, DepthRule};
+use crate::pass::{ColorMask, Sampling};
+use crate::raster::triangle_id::{ORDER_BITS, TriangleId};
+use crate::shading::OutputKind;
+use crate::target::format::{ColorFormat, TileColor};
+use crate::tile::Tile;
+use crate::tile::view::TileView;
+use crate::wide::{Simd, f32x16, mask32x16, u32x16};
+
+/// The fragments of one draw in a block.
+#[derive(Clone, Copy, Debug)]
+#[repr(C, align(64))]
+pub(crate) struct SamplePacket {
+    /// The triangle of each lane.
+    pub(crate) ids: [u32; 16],
+    /// The run that these triangles belong to.
+    pub(crate) run: u32,
+    /// The first sample's block; or that of the only sample that they are of.
+    pub(crate) block: u32,
+    pub(crate) mask: u32,
+    /// Lanes whose triangle all of the pixel's samples show.
+    pub(crate) inner: u32,
+}
+
+/// The blocks with something visible: a packet holds the first triangle of each pixel, the next packet of the block a second one, and so on.
+#[inline(always)]
+pub(crate) fn collect_visible<S: Simd>(
+    s: S,
+    batch: &Batch<'_>,
+    is_by_sample: &dyn Fn(usize) -> bool,
+    tile: &Tile,
+    view: &TileView,
+    out: &mut Vec<SamplePacket>,
+) {
+    let (blocks, samples) = (view.side / 4, view.samples.count());
+    let mut by = 0;
+    while by < blocks {
+        let mut bx = 0;
+        while bx < blocks {
+            let block = view.block(bx, by);
+            bx += 1;
+            let first = u32x16::simd_from(s, tile.id[block]);
+            let mut rest = [0; 16];
+            let mut same = mask32x16::splat(s, true);
+            let mut sample = 0;
+            while sample < samples {
+                let ids = u32x16::simd_from(s, tile.id[block + view.plane(sample)]);
+                same = same & ids.simd_eq(first);
+                rest[sample & 15] = ids.simd_gt(0).to_bitmask() as u32;
+                sample += 1;
+            }
+            let inner = same.to_bitmask() as u32 & rest[0];
+            loop {
+                let (mut ids, mut mask) = (u32x16::splat(s, 0), 0);
+                let mut sample = 0;
+                while sample < samples {
+                    let new = rest[sample & 15] & !mask;
+                    if new != 0 {
+                        let own = u32x16::simd_from(s, tile.id[block + view.plane(sample)]);
+                        ids = mask32x16::from_bitmask(s, u64::from(new)).select(own, ids);
+                        mask |= new;
+                    }
+                    sample += 1;
+                }
+                if mask == 0 {
+                    break;
+                }
+                let mut sample = 0;
+                while sample < samples {
+                    let own = u32x16::simd_from(s, tile.id[block + view.plane(sample)]);
+                    rest[sample & 15] &= !(own.simd_eq(ids).to_bitmask() as u32);
+                    sample += 1;
+                }
+                by_run(s, batch, is_by_sample, tile, view, block, ids, mask, inner, out);
+            }
+        }
+        by += 1;
+    }
+}
+
+/// Adds a packet for each run that the lanes show; or one for each sample.
+#[inline(always)]
+#[expect(clippy::too_many_arguments, reason = "one call, inlined")]
+fn by_run<S: Simd>(
+    s: S,
+    batch: &Batch<'_>,
+    is_by_sample: &dyn Fn(usize) -> bool,
+    tile: &Tile,
+    view: &TileView,
+    block: usize,
+    ids: u32x16<S>,
+    mut rest: u32,
+    inner: u32,
+    out: &mut Vec<SamplePacket>,
+) {
+    let lanes: [u32; 16] = ids.into();
+    while rest != 0 {
+        let (mut run, mut mask) = (0, rest);
+        if batch.runs.len() > 1 {
+            run = batch.run_of(TriangleId(lanes[rest.trailing_zeros() as usize & 15]).number());
+            let last = batch.runs[run].first_number + batch.runs[run].triangles;
+            let first = TriangleId::first(batch.runs[run].first_number);
+            mask &= (ids.simd_ge(first) & ids.simd_lt(TriangleId::first(last))).to_bitmask() as u32;
+        }
+        rest &= !mask;
+        let packet = SamplePacket { ids: lanes, run: run as u32, block: block as u32, mask, inner };
+        if !is_by_sample(run) {
+            out.push(packet);
+            continue;
+        }
+        let mut sample = 0;
+        while sample < view.samples.count() {
+            let block = block + view.plane(sample);
+            let mask = u32x16::simd_from(s, tile.id[block]).simd_eq(ids).to_bitmask() as u32 & mask;
+            if mask != 0 {
+                out.push(SamplePacket { block: block as u32, mask, ..packet });
+            }
+            sample += 1;
+        }
+    }
+}
+
+/// What the fragments of a draw are interpolated with.
+fn layout_of(shading: &Shading<'_>) -> VaryingLayout {
+    VaryingLayout { depth: shading.call.state().sampling != Sampling::Sample, ..shading.call.layout() }
+}
+
+/// Shades what the visibility buffer shows.
+#[inline(always)]
+pub(crate) fn shade_visible_samples<S: Simd>(
+    s: S,
+    shading: &mut Shading<'_>,
+    packets: &[SamplePacket],
+    depth: DepthRule,
+) {
+    let layout = layout_of(shading);
+    let position = |vertex: usize| shading.call.position(vertex);
+    let (mut last, mut distinct) = (Last::none(s), [Distinct::NONE; BATCH]);
+    shading.cache.start(shading.run, &layout);
+    let further = shading.further();
+    for packets in packets.chunks(BATCH) {
+        shading.batch.start(&layout, shading.run.front_is_clockwise);
+        for packet in packets {
+            let (x, y) = shading.view.pixel_of(packet.block as usize);
+            let new = shading.batch.add();
+            (new.block, new.alive, new.x, new.y) = (packet.block, packet.mask, x, y);
+            new.ids = packet.ids;
+            new.depth = shading.tile.depth[packet.block as usize];
+            move_off_centers(s, shading, &packet.ids, packet.mask & !packet.inner, packet.block as usize);
+        }
+        interpolate::<S, false>(
+            s,
+            shading.run,
+            &position,
+            &layout,
+            shading.batch,
+            &mut distinct,
+            &mut last,
+            shading.cache,
+        );
+        finish_depths(shading, &layout, depth);
+        shading.call.run_fragments(shading.level, shading.batch);
+        let mut i = 0;
+        while i < shading.batch.len() {
+            let packet = &shading.batch.packets()[i];
+            let (alive, ids) = (mask32x16::from_bitmask(s, u64::from(packet.alive)), u32x16::simd_from(s, packet.ids));
+            let more = shading.batch.more(i);
+            store(
+                s,
+                shading.color,
+                shading.tile,
+                shading.view,
+                packet.block as usize,
+                alive,
+                ids,
+                &packet.color,
+                &layout,
+            );
+            let mut k = 0;
+            while k < further {
+                let color = &mut shading.more_colors[k];
+                store(s, color, shading.tile, shading.view, packet.block as usize, alive, ids, &more[k], &layout);
+                k += 1;
+            }
+            i += 1;
+        }
+    }
+}
+
+/// Stores a colour for all samples that show its triangle; or for the one that it is of.
+#[inline(always)]
+#[expect(clippy::too_many_arguments, reason = "inlined")]
+fn store<S: Simd>(
+    s: S,
+    color: &mut TileColor,
+    tile: &Tile,
+    view: &TileView,
+    block: usize,
+    alive: mask32x16<S>,
+    ids: u32x16<S>,
+    rows: &super::__Row4,
+    layout: &VaryingLayout,
+) {
+    if !layout.depth {
+        color.store(s, block, alive, channels(s, rows), ColorMask::ALL);
+        return;
+    }
+    // Encoded once: to the border's first block, which nobody reads, and from there to where it belongs.
+    let scratch = 0;
+    color.store(s, scratch, alive, channels(s, rows), ColorMask::ALL);
+    let mut sample = 0;
+    while sample < view.samples.count() {
+        let to = block + view.plane(sample);
+        let shows = alive & u32x16::simd_from(s, tile.id[to]).simd_eq(ids);
+        color.copy_block(s, scratch, to, shows);
+        sample += 1;
+    }
+}
+
+/// Says where the fragments of the last packet of the batch are shaded. `border` are those that may not cover their pixels' centres.
+#[inline(always)]
+fn move_off_centers<S: Simd>(s: S, shading: &mut Shading<'_>, ids: &[u32; 16], border: u32, block: usize) {
+    let samples = shading.view.samples;
+    match shading.call.state().sampling {
+        Sampling::Center => {}
+        Sampling::Centroid => {
+            if border != 0 {
+                let (x, y) = shading.view.pixel_of(block);
+                let borders = Borders { ids, mask: border, x, y, samples };
+                let offsets = borders.offsets(s, shading.call, shading.run);
+                if offsets != [[0; 16]; 2] {
+                    shading.batch.shift(Moved::ByLane, offsets);
+                }
+            }
+        }
+        Sampling::Sample => {
+            let [x, y] = samples.offset(shading.view.sample_of(block));
+            shading.batch.shift(Moved::ToSample, [[x; 16], [y; 16]]);
+        }
+    }
+}
+
+/// Gives the fragments their depths: where they are shaded, and so not those of the depth buffer's samples.
+#[inline(always)]
+fn finish_depths(shading: &mut Shading<'_>, layout: &VaryingLayout, depth: DepthRule) {
+    if layout.depth {
+        if let Some(strokes) = &shading.run.strokes {
+            shading.batch.set_depths(|ids, at| strokes.depth(TriangleId(ids).number() - shading.run.first_number, at));
+        }
+        shading.batch.take_depths(f32::from_bits(depth.low as u32), f32::from_bits(depth.high as u32));
+    }
+}
+
+/// Shades covered samples in submission order, with depth test and blending. `packets` holds all that there is of each triangle.
+#[inline(always)]
+pub(crate) fn shade_samples_in_order<S: Simd>(
+    s: S,
+    shading: &mut Shading<'_>,
+    packets: &mut [OrderedPacket],
+    depth: DepthRule,
+) {
+    let layout = layout_of(shading);
+    let view = shading.view;
+    // What is shaded together: of a triangle what lies in one block, of all samples or of one.
+    let part = |block: u32| if layout.depth { block as usize % view.plane_blocks } else { block as usize };
+    // Triangles come in the order of their numbers.
+    packets.sort_unstable_by_key(|packet| (packet.id >> ORDER_BITS, part(packet.block), packet.block));
+    let position = |vertex: usize| shading.call.position(vertex);
+    let (mut last, mut distinct) = (Last::none(s), [Distinct::NONE; BATCH]);
+    shading.cache.start(shading.run, &layout);
+    let call = shading.call;
+    let state = call.state();
+    let is_late = call.discards() || state.alpha_to_coverage;
+    let tests = Tests { state, front_is_clockwise: shading.run.front_is_clockwise };
+    let has_color = shading.color.format != ColorFormat::None || !shading.more_colors.is_empty();
+    let is_shaded = is_late || (has_color && !state.writes_no_color(call.outputs().kinds.len()));
+    let mut rest = packets;
+    while !rest.is_empty() {
+        shading.batch.start(&layout, shading.run.front_is_clockwise);
+        // The packets of each group in the batch.
+        let mut groups: [&mut [OrderedPacket]; BATCH] = Default::default();
+        while let (Some(first), true) = (rest.first(), shading.batch.len() < BATCH) {
+            let (id, block) = (first.id, part(first.block));
+            // What an earlier packet of the batch is about to change must not be tested yet.
+            if contains(shading.batch, block as u32) {
+                break;
+            }
+            let count = rest.iter().take_while(|packet| packet.id == id && part(packet.block) == block).count();
+            let (group, others) = std::mem::take(&mut rest).split_at_mut(count);
+            rest = others;
+            let (mut mask, mut covered, mut passed) = (0, [0; 16], 0);
+            for packet in &mut *group {
+                covered[view.sample_of(packet.block as usize) & 15] |= packet.mask;
+                let inside = mask32x16::from_bitmask(s, u64::from(packet.mask));
+                let tested = tests.of(s, shading.tile, TriangleId(id), packet.block as usize, inside, &packet.depth);
+                let both = tested.both.to_bitmask() as u32;
+                passed += both.count_ones();
+                if !is_late {
+                    tested.update(s, shading.tile, packet.block as usize);
+                    packet.mask = both;
+                } else if !tested.failing_counts() {
+                    packet.mask = both;
+                }
+                mask |= packet.mask;
+                if !is_shaded {
+                    let block = packet.block as usize;
+                    keep(s, shading.tile, state.depth.write, block, tested.both, &packet.depth, &[id; 16]);
+                }
+            }
+            if !is_shaded {
+                shading.count_of(block, 0, passed);
+            } else if mask != 0 {
+                shading.count_of(block, mask.count_ones(), 0);
+                let inner = covered[..view.samples.count()].iter().fold(u32::MAX, |all, own| all & own);
+                let (x, y) = view.pixel_of(block);
+                let new = shading.batch.add();
+                (new.block, new.alive, new.x, new.y) = (block as u32, mask, x, y);
+                (new.ids, new.depth) = ([id; 16], group[0].depth);
+                move_off_centers(s, shading, &[id; 16], mask & !inner, block);
+                groups[shading.batch.len() - 1] = group;
+            }
+        }
+        interpolate::<S, true>(
+            s,
+            shading.run,
+            &position,
+            &layout,
+            shading.batch,
+            &mut distinct,
+            &mut last,
+            shading.cache,
+        );
+        finish_depths(shading, &layout, depth);
+        shading.call.run_fragments(shading.level, shading.batch);
+        merge(s, shading, &groups, is_late);
+    }
+}
+
+/// Brings the colours of a batch into the samples that passed.
+#[inline(always)]
+fn merge<S: Simd>(s: S, shading: &mut Shading<'_>, groups: &[&mut [OrderedPacket]; BATCH], is_late: bool) {
+    let (state, samples) = (shading.call.state(), shading.view.samples.count());
+    let tests = Tests { state, front_is_clockwise: shading.run.front_is_clockwise };
+    let first = state.color(0);
+    let how = How::of(&first);
+    let further = shading.further();
+    let has_alpha = shading.call.outputs().kinds.first() == Some(&OutputKind::Float);
+    let mut i = 0;
+    while i < shading.batch.len() {
+        let packet = &shading.batch.packets()[i];
+        let id = TriangleId(packet.ids[0]);
+        let parts = shading
+            .run
+            .strokes
+            .as_ref()
+            .and_then(|strokes| strokes.covered_parts(s, id.number() - shading.run.first_number, packet));
+        let more = shading.batch.more(i);
+        // Only a target with one colour buffer is blended with a second source.
+        let second = if more.is_empty() { &packet.color } else { &more[0] };
+        let mut count = 0;
+        for ordered in &*groups[i] {
+            let block = ordered.block as usize;
+            let mut alive = mask32x16::from_bitmask(s, u64::from(packet.alive & ordered.mask));
+            if state.alpha_to_coverage && has_alpha {
+                alive = alive & covers_by_alpha(s, &packet.color[3], shading.view.sample_of(block), samples);
+            }
+            if is_late {
+                let tested = tests.of(s, shading.tile, id, block, alive, &ordered.depth);
+                tested.update(s, shading.tile, block);
+                alive = tested.both;
+            }
+            keep(s, shading.tile, state.depth.write, block, alive, &ordered.depth, &packet.ids);
+            merge_color(s, shading.color, block, alive, &packet.color, second, parts, &first, how);
+            let mut k = 0;
+            while k < further {
+                let state = state.color(k + 1);
+                let (tile, how) = (&mut shading.more_colors[k], How::of(&state));
+                merge_color(s, tile, block, alive, &more[k], &more[k], parts, &state, how);
+                k += 1;
+            }
+            count += alive.to_bitmask().count_ones();
+        }
+        let block = packet.block as usize;
+        shading.count_of(block, 0, count);
+        i += 1;
+    }
+}
+
+/// Which lanes' alpha covers a sample: of n samples the first `round(n alpha)`.
+#[inline(always)]
+fn covers_by_alpha<S: Simd>(s: S, alpha: &[f32; 16], sample: usize, samples: usize) -> mask32x16<S> {
+    (f32x16::simd_from(s, *alpha) * samples as f32).simd_ge(f32x16::splat(s, sample as f32 + 0.5))
+}
