@@ -70,8 +70,7 @@ fn one_in_full<S: Simd>(
     let mut k = 0;
     while k < layout.interpolation.len() {
         let is_flat = layout.interpolation[k] == Interpolation::Flat;
-        let [f0, d1, d2] = run.vertex_values(each, &places[0], k, is_flat);
-        let mut corner = Corner3 { f0: f32x16::splat(s, f0), d1: f32x16::splat(s, d1), d2: f32x16::splat(s, d2) };
+        let mut corner = Corner3::splat(s, run.vertex_values(each, &places[0], k, is_flat));
         let mut t = 1;
         while t < count {
             let mask = masks[t & 15];
@@ -112,8 +111,7 @@ fn triangle<S: Simd>(
         let weights = of_triangle(s, run, each, places, fragments.x, fragments.y, at);
         let mut depth = f32x16::splat(s, 0.0);
         if layout.depth {
-            let [z0, d1, d2] = run.vertex_depths(places).map(|z| f32x16::splat(s, z));
-            depth = weights.depth(s, Corner3 { f0: z0, d1, d2 });
+            depth = weights.depth(s, Corner3::splat(s, run.vertex_depths(places)));
         }
         (weights, places, depth)
     };

@@ -8,7 +8,7 @@ use super::run::{RunView, record_rows};
 use super::weights::Prepared;
 use crate::raster::triangle_id::TriangleId;
 use crate::tile::view::BlockLanes;
-use crate::wide::{Simd, f32x16};
+use crate::wide::Simd;
 
 /// The triangle that the last packet showed alone, if it did: its neighbour often shows it, too.
 pub(crate) struct Last<S: Simd> {
@@ -79,13 +79,10 @@ fn one<S: Simd>(
     let both = Both::new::<false>(s, &weights, layout);
     let mut k = 0;
     while k < varyings {
-        let [f0, d1, d2] = last.corners[k];
-        let corner = Corner3 { f0: f32x16::splat(s, f0), d1: f32x16::splat(s, d1), d2: f32x16::splat(s, d2) };
-        both.set::<false>(layout, rows, k, corner);
+        both.set::<false>(layout, rows, k, Corner3::splat(s, last.corners[k]));
         k += 1;
     }
     if layout.depth {
-        let [f0, d1, d2] = last.depths.map(|z| f32x16::splat(s, z));
-        *rows.z = weights.depth(s, Corner3 { f0, d1, d2 }).into();
+        *rows.z = weights.depth(s, Corner3::splat(s, last.depths)).into();
     }
 }

@@ -170,7 +170,7 @@ pub(crate) fn shade_visible_samples<S: Simd>(
             &mut last,
             shading.cache,
         );
-        finish_depths(shading, &layout, depth);
+        finish_depths(s, shading, &layout, depth);
         shading.call.run_fragments(shading.level, shading.batch);
         let mut i = 0;
         while i < shading.batch.len() {
@@ -254,12 +254,12 @@ fn move_off_centers<S: Simd>(s: S, shading: &mut Shading<'_>, ids: &[u32; 16], b
 
 /// Gives the fragments their depths: where they are shaded, and so not those of the depth buffer's samples.
 #[inline(always)]
-fn finish_depths(shading: &mut Shading<'_>, layout: &VaryingLayout, depth: DepthRule) {
+fn finish_depths<S: Simd>(s: S, shading: &mut Shading<'_>, layout: &VaryingLayout, depth: DepthRule) {
     if layout.depth {
         if let Some(strokes) = &shading.run.strokes {
             shading.batch.set_depths(|ids, at| strokes.depth(TriangleId(ids).number() - shading.run.first_number, at));
         }
-        shading.batch.take_depths(f32::from_bits(depth.low as u32), f32::from_bits(depth.high as u32));
+        shading.batch.take_depths(s, f32::from_bits(depth.low as u32), f32::from_bits(depth.high as u32));
     }
 }
 
@@ -342,7 +342,7 @@ pub(crate) fn shade_samples_in_order<S: Simd>(
             &mut last,
             shading.cache,
         );
-        finish_depths(shading, &layout, depth);
+        finish_depths(s, shading, &layout, depth);
         shading.call.run_fragments(shading.level, shading.batch);
         merge(s, shading, &groups, is_late);
     }

@@ -177,10 +177,16 @@ impl PacketBatch {
         }
     }
 
-    /// Takes the interpolated depths for the fragments'.
-    pub(crate) fn take_depths(&mut self, low: f32, high: f32) {
-        for (packet, z) in self.packets.iter_mut().zip(&self.z).take(self.count) {
-            packet.depth = z.map(|z| if z > low { if z < high { z } else { high } } else { low }.to_bits() as i32);
+    /// Takes the interpolated depths for the fragments', clamped.
+    #[inline(always)]
+    pub(crate) fn take_depths<S: Simd>(&mut self, s: S, low: f32, high: f32) {
+        let (low, high) = (f32x16::splat(s, low), f32x16::splat(s, high));
+        let mut k = 0;
+        while k < self.count {
+            let z = f32x16::simd_from(s, self.z[k & (BATCH - 1)]);
+            let z = z.simd_gt(low).select(z, low);
+            self.packets[k].depth = z.simd_lt(high).select(z, high).bitcast::<i32x16<S>>().into();
+            k += 1;
         }
     }
 
@@ -262,8 +268,8 @@ impl PacketBatch {
             parts.y = Real(lanes.y + (packet.y as f32 + 0.5));
             if self.moved[k & (BATCH - 1)] == Moved::ToSample {
                 let [[x, ..], [y, ..]] = self.offsets[k & (BATCH - 1)];
-                parts.x = parts.x + x as f32 / SUBPIXELS as f32;
-                parts.y = parts.y + y as f32 / SUBPIXELS as f32;
+                parts.x += x as f32 / SUBPIXELS as f32;
+                parts.y += y as f32 / SUBPIXELS as f32;
             }
             parts.z = Real(i32x16::simd_from(s, packet.depth).bitcast());
             parts.front_facing = Bool(if self.front_is_clockwise { clockwise } else { !clockwise });

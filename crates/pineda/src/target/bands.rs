@@ -45,7 +45,7 @@ impl<'a> Plane<'a> {
     }
 }
 
-fn chunks<'a, T>(buffer: Option<&'a mut [T]>, pixels: usize) -> impl Iterator<Item = &'a mut [T]> {
+fn chunks<T>(buffer: Option<&mut [T]>, pixels: usize) -> impl Iterator<Item = &mut [T]> {
     buffer.into_iter().flat_map(move |buffer| buffer.chunks_mut(pixels))
 }
 
