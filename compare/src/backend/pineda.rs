@@ -5,7 +5,7 @@ use crate::scene::{BlinnPhong, CLEAR_COLOR, HEIGHT, Output, Scene, Shading, Vert
 use anyhow::Result;
 use pineda::{
     Blend, ColorBuffer, Cull, DepthBuffer, DepthState, DrawState, Fragment, Indices, Lanes, Mat4, Mesh, Pass, Renderer,
-    Rgba, Settings, Shader, Simd, Target, Vec3, Vec4, shader, varyings,
+    Rgba, Samples, Settings, Shader, Simd, Target, Vec3, Vec4, shader, varyings,
 };
 use std::borrow::Cow;
 
@@ -56,7 +56,8 @@ impl Backend for Pineda {
                 pass.draw(&lit, mesh, DrawState { cull: Cull::Back, ..DrawState::default() })
             }
         };
-        let mut target = Target::new(WIDTH, HEIGHT);
+        let samples = if self.scene.samples == 4 { Samples::Four } else { Samples::One };
+        let mut target = Target { samples, ..Target::new(WIDTH, HEIGHT) };
         match self.scene.output {
             Output::Color => target.color = ColorBuffer::Rgba8(&mut self.pixels),
             Output::Depth => target.depth = DepthBuffer::D32F(&mut self.depth),

@@ -43,6 +43,7 @@ pub(super) fn lit_knot() -> Scene {
             specular: 0.4,
         }),
         output: Output::Color,
+        samples: 1,
     }
 }
 
