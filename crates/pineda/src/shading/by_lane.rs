@@ -1,6 +1,7 @@
 //! Packets of many triangles: each lane loads vertices of its own.
 
 use super::barycentric::{Both, Corner3};
+use super::centroid::centroid_offsets_of_vertices;
 use super::distinct::{Distinct, Fragments};
 use super::packet::{BATCH, PacketBatch, PacketRows, VaryingLayout};
 use super::run::{RECORD_HEADER, RunView, record_rows};
@@ -12,14 +13,14 @@ use crate::transpose::columns4;
 use crate::wide::{Simd, f32x16, i32x16, u32x4, u32x16};
 
 /// A triangle for each lane: the places of its three vertices, in canonical order; and the first rows of their records.
-pub(super) struct ByLane {
+struct ByLane {
     places: [[u32; 16]; 3],
     rows: [[u32; 16]; 3],
 }
 
 impl ByLane {
     #[inline(always)]
-    pub(super) fn new<S: Simd>(s: S, run: &RunView<'_>, each: usize, ids: &[u32; 16]) -> Self {
+    fn new<S: Simd>(s: S, run: &RunView<'_>, each: usize, ids: &[u32; 16]) -> Self {
         let ids = u32x16::simd_from(s, *ids);
         let [a, b, c] = run.corners.of_each(s, (ids >> ORDER_BITS) - (run.first_number as u32 + 1));
         let code: i32x16<S> = (ids & ((1 << ORDER_BITS) - 1)).bitcast();
@@ -38,7 +39,7 @@ impl ByLane {
 
     /// Row `r` of the records of each lane's vertex `corner`, in canonical order: four words, lane by lane.
     #[inline(always)]
-    pub(super) fn row<S: Simd>(&self, s: S, run: &RunView<'_>, corner: usize, r: usize) -> [u32x16<S>; 4] {
+    fn row<S: Simd>(&self, s: S, run: &RunView<'_>, corner: usize, r: usize) -> [u32x16<S>; 4] {
         let at = &self.rows[corner];
         columns4(four(s, run, at, r, 0), four(s, run, at, r, 4), four(s, run, at, r, 8), four(s, run, at, r, 12))
     }
@@ -109,8 +110,12 @@ fn lane_by_lane<S: Simd>(
     let at = Positions::new(s, lanes, fragments.moved);
     let x = at.x + (fragments.x * SUBPIXELS + HALF_PIXEL);
     let y = at.y + (fragments.y * SUBPIXELS + HALF_PIXEL);
-    let vx = [a[0].bitcast::<i32x16<S>>() - x, b[0].bitcast::<i32x16<S>>() - x, c[0].bitcast::<i32x16<S>>() - x];
-    let vy = [a[1].bitcast::<i32x16<S>>() - y, b[1].bitcast::<i32x16<S>>() - y, c[1].bitcast::<i32x16<S>>() - y];
+    let mut vx = [a[0].bitcast::<i32x16<S>>() - x, b[0].bitcast::<i32x16<S>>() - x, c[0].bitcast::<i32x16<S>>() - x];
+    let mut vy = [a[1].bitcast::<i32x16<S>>() - y, b[1].bitcast::<i32x16<S>>() - y, c[1].bitcast::<i32x16<S>>() - y];
+    if fragments.border != 0 {
+        let [ox, oy] = centroid_offsets_of_vertices(s, vx, vy, fragments.border, fragments.samples);
+        (vx, vy) = ([vx[0] - ox, vx[1] - ox, vx[2] - ox], [vy[0] - oy, vy[1] - oy, vy[2] - oy]);
+    }
     let weights = of_lanes(vx, vy, [a[2].bitcast(), b[2].bitcast(), c[2].bitcast()]);
     let both = Both::new::<false>(s, &weights, layout);
     let mut r = 0;

@@ -4,17 +4,15 @@
 //! again here, exactly, for the few lanes at triangles' borders. A triangle that covers all samples of a pixel covers its centre, too, which lies within
 //! their hull.
 
-use super::by_lane::ByLane;
-use super::run::{RunView, record_rows};
+use super::run::RunView;
 use crate::geometry::clip::{ClipTriangle, clip};
 use crate::geometry::raster_space::{HALF_PIXEL, SUBPIXELS, ScreenVertex};
 use crate::pass::draw_call::DrawCall;
 use crate::raster::samples::Samples;
 use crate::raster::stroke::triangles_of;
 use crate::raster::top_left::{is_top_left, is_top_left_edge};
-use crate::raster::triangle_id::{CLIPPED_CLOCKWISE, ORDER_BITS, TriangleId};
-use crate::tile::view::BlockLanes;
-use crate::wide::{Simd, i32x16, mask32x16, u32x16};
+use crate::raster::triangle_id::TriangleId;
+use crate::wide::{Simd, i32x16, mask32x16};
 
 /// Coordinates relative to a pixel's centre up to which edge functions fit i32 at all of its samples: 2 r^2 + 2^8 2 r < 2^31.
 const NEAR: i32 = (1 << 15) - 4 * SUBPIXELS;
@@ -34,66 +32,9 @@ pub(crate) struct Borders<'a> {
 }
 
 impl Borders<'_> {
-    /// How far off its pixel's centre each lane is shaded, in subpixels; 0 of those that are not asked for.
-    #[inline(always)]
-    pub(crate) fn offsets<S: Simd>(&self, s: S, call: &dyn DrawCall, run: &RunView<'_>) -> [[i32; 16]; 2] {
-        let first = self.ids[self.mask.trailing_zeros() as usize & 15];
-        let asked = mask32x16::from_bitmask(s, u64::from(self.mask));
-        let ids = asked.select(u32x16::simd_from(s, *self.ids), u32x16::splat(s, first));
-        let codes: i32x16<S> = (ids & ((1 << ORDER_BITS) - 1)).bitcast();
-        let is_plain = run.strokes.is_none() && codes.simd_ge(CLIPPED_CLOCKWISE as i32).all_false();
-        let near = if is_plain { self.near(s, call, run, &ids.into()) } else { None };
-        let Some([x, y]) = near else { return self.one_by_one(call, run) };
-        let none = i32x16::splat(s, 0);
-        [asked.select(x, none).into(), asked.select(y, none).into()]
-    }
-
-    /// Of triangles near their pixels, in the lanes.
-    #[inline(always)]
-    fn near<S: Simd>(&self, s: S, call: &dyn DrawCall, run: &RunView<'_>, ids: &[u32; 16]) -> Option<[i32x16<S>; 2]> {
-        let vertices = ByLane::new(s, run, record_rows(call.layout().interpolation.len()), ids);
-        let lanes = BlockLanes::new(s);
-        let px = (lanes.column << 8) + (self.x * SUBPIXELS + HALF_PIXEL);
-        let py = (lanes.row << 8) + (self.y * SUBPIXELS + HALF_PIXEL);
-        let [ax, ay, ..] = vertices.row(s, run, 0, 0);
-        let [bx, by, ..] = vertices.row(s, run, 1, 0);
-        let [cx, cy, ..] = vertices.row(s, run, 2, 0);
-        let x = [ax.bitcast::<i32x16<S>>() - px, bx.bitcast::<i32x16<S>>() - px, cx.bitcast::<i32x16<S>>() - px];
-        let y = [ay.bitcast::<i32x16<S>>() - py, by.bitcast::<i32x16<S>>() - py, cy.bitcast::<i32x16<S>>() - py];
-        let low = x[0].min(x[1]).min(x[2]).min(y[0]).min(y[1]).min(y[2]);
-        let high = x[0].max(x[1]).max(x[2]).max(y[0]).max(y[1]).max(y[2]);
-        if !(low.simd_lt(-NEAR) | high.simd_gt(NEAR)).all_false() {
-            return None;
-        }
-        let none = i32x16::splat(s, 0);
-        let (mut edge, mut dx, mut dy) = ([none; 3], [none; 3], [none; 3]);
-        let mut k = 0;
-        while k < 3 {
-            let next = (k + 1) % 3;
-            (dx[k], dy[k]) = (x[next] - x[k], y[next] - y[k]);
-            let rule = is_top_left(dx[k], dy[k]).select(none, none + 1);
-            edge[k] = x[k] * y[next] - x[next] * y[k] - rule;
-            k += 1;
-        }
-        let (mut offset_x, mut offset_y) = (none, none);
-        let mut sample = self.samples.count();
-        while sample > 0 {
-            sample -= 1;
-            let [ox, oy] = self.samples.offset(sample);
-            let inside = (edge[0] + dx[0] * oy - dy[0] * ox)
-                | (edge[1] + dx[1] * oy - dy[1] * ox)
-                | (edge[2] + dx[2] * oy - dy[2] * ox);
-            let inside = inside.simd_ge(0);
-            offset_x = inside.select(none + ox, offset_x);
-            offset_y = inside.select(none + oy, offset_y);
-        }
-        let centre = (edge[0] | edge[1] | edge[2]).simd_ge(0);
-        Some([centre.select(none, offset_x), centre.select(none, offset_y)])
-    }
-
-    /// Of any triangles, lines and points.
+    /// How far off its pixel's centre each lane is shaded, in subpixels; 0 of those that are not asked for. Of any triangles, lines and points.
     #[inline(never)]
-    fn one_by_one(&self, call: &dyn DrawCall, run: &RunView<'_>) -> [[i32; 16]; 2] {
+    pub(crate) fn offsets(&self, call: &dyn DrawCall, run: &RunView<'_>) -> [[i32; 16]; 2] {
         let mut offsets = [[0; 16]; 2];
         let mut rest = self.mask;
         while rest != 0 {
@@ -124,9 +65,87 @@ impl Borders<'_> {
                 clipped.triangles().iter().any(|corners| is_covered(corners.map(ScreenVertex::place), at))
             })
         };
-        let samples = (0..self.samples.count()).map(|sample| self.samples.offset(sample));
-        std::iter::once([0, 0]).chain(samples).find(covers).unwrap_or([0, 0])
+        first_covered(self.samples, covers)
     }
+}
+
+/// The first of a pixel's centre and its samples that is covered.
+fn first_covered(samples: Samples, covers: impl FnMut(&[i32; 2]) -> bool) -> [i32; 2] {
+    let offsets = (0..samples.count()).map(|sample| samples.offset(sample));
+    std::iter::once([0, 0]).chain(offsets).find(covers).unwrap_or([0, 0])
+}
+
+/// How far off their pixels' centres the lanes of a mask are shaded, in the lanes: of triangles on the raster whose edge functions fit i32 in all of the pixel. Of each edge
+/// there is the edge function at the pixel's centre, and what it gains a subpixel right and a subpixel down.
+#[inline(always)]
+pub(super) fn centroid_offsets<S: Simd>(
+    s: S,
+    edges: [[i32x16<S>; 3]; 3],
+    mask: u32,
+    samples: Samples,
+) -> [i32x16<S>; 2] {
+    let none = i32x16::splat(s, 0);
+    let e0 = edges[0][0] - rule(s, &edges[0]);
+    let e1 = edges[1][0] - rule(s, &edges[1]);
+    let e2 = edges[2][0] - rule(s, &edges[2]);
+    let (mut x, mut y) = (none, none);
+    let moves = (e0 | e1 | e2).simd_lt(0) & mask32x16::from_bitmask(s, u64::from(mask));
+    if !moves.all_false() {
+        let mut sample = samples.count();
+        while sample > 0 {
+            sample -= 1;
+            let [ox, oy] = samples.offset(sample);
+            let inside = (e0 + edges[0][1] * ox + edges[0][2] * oy)
+                | (e1 + edges[1][1] * ox + edges[1][2] * oy)
+                | (e2 + edges[2][1] * ox + edges[2][2] * oy);
+            let inside = inside.simd_ge(0) & moves;
+            x = inside.select(none + ox, x);
+            y = inside.select(none + oy, y);
+        }
+    }
+    [x, y]
+}
+
+/// 0 for top and left edges, 1 for others.
+#[inline(always)]
+fn rule<S: Simd>(s: S, [_, right, down]: &[i32x16<S>; 3]) -> i32x16<S> {
+    let none = i32x16::splat(s, 0);
+    is_top_left(*down, -*right).select(none, none + 1)
+}
+
+/// The same for triangles of any size, by their vertices relative to the pixels' centres.
+#[inline(always)]
+pub(super) fn centroid_offsets_of_vertices<S: Simd>(
+    s: S,
+    x: [i32x16<S>; 3],
+    y: [i32x16<S>; 3],
+    mask: u32,
+    samples: Samples,
+) -> [i32x16<S>; 2] {
+    let low = x[0].min(x[1]).min(x[2]).min(y[0]).min(y[1]).min(y[2]);
+    let high = x[0].max(x[1]).max(x[2]).max(y[0]).max(y[1]).max(y[2]);
+    if !(low.simd_lt(-NEAR) | high.simd_gt(NEAR)).all_false() {
+        let (x, y) = ([x[0].into(), x[1].into(), x[2].into()], [y[0].into(), y[1].into(), y[2].into()]);
+        let [ox, oy] = far_offsets(x, y, mask, samples);
+        return [i32x16::simd_from(s, ox), i32x16::simd_from(s, oy)];
+    }
+    centroid_offsets(s, [edge(x, y, 0, 1), edge(x, y, 1, 2), edge(x, y, 2, 0)], mask, samples)
+}
+
+/// The edge function from vertex a to vertex b at (0, 0), and what it gains to the right and down.
+#[inline(always)]
+fn edge<S: Simd>(x: [i32x16<S>; 3], y: [i32x16<S>; 3], a: usize, b: usize) -> [i32x16<S>; 3] {
+    [x[a] * y[b] - x[b] * y[a], y[a] - y[b], x[b] - x[a]]
+}
+
+#[inline(never)]
+fn far_offsets(x: [[i32; 16]; 3], y: [[i32; 16]; 3], mask: u32, samples: Samples) -> [[i32; 16]; 2] {
+    let mut offsets = [[0; 16]; 2];
+    for lane in (0..16).filter(|lane| mask >> lane & 1 != 0) {
+        let triangle = [0, 1, 2].map(|k| [x[k][lane], y[k][lane]]);
+        [offsets[0][lane], offsets[1][lane]] = first_covered(samples, |&offset| is_covered(triangle, offset));
+    }
+    offsets
 }
 
 /// Whether a triangle on the raster covers a point, by the top-left rule.

@@ -2,6 +2,7 @@
 
 use super::barycentric::{Both, Corner3};
 use super::cached::{TRIANGLE_HEADER, TriangleCache};
+use super::centroid::centroid_offsets;
 use super::distinct::{Distinct, Fragments};
 use super::packet::{BATCH, PacketBatch, PacketRows, VaryingLayout};
 use super::weights::Weights;
@@ -56,8 +57,15 @@ fn from_cache<S: Simd, const N: usize>(
     let (x, y) = (at.x + fragments.x * SUBPIXELS, at.y + fragments.y * SUBPIXELS);
     let one = pick.row(s, &triangles, 0).map(u32x16::bitcast::<i32x16<S>>);
     let two = pick.row(s, &triangles, 1).map(u32x16::bitcast::<i32x16<S>>);
-    let e1 = (x * one[0] + y * one[1]) + one[2];
-    let e2 = (x * two[0] + y * two[1]) + two[2];
+    let mut e1 = (x * one[0] + y * one[1]) + one[2];
+    let mut e2 = (x * two[0] + y * two[1]) + two[2];
+    if fragments.border != 0 {
+        let zero = [one[3] - e1 - e2, -(one[0] + two[0]), -(one[1] + two[1])];
+        let edges = [zero, [e1, one[0], one[1]], [e2, two[0], two[1]]];
+        let [ox, oy] = centroid_offsets(s, edges, fragments.border, fragments.samples);
+        e1 = e1 + one[0] * ox + one[1] * oy;
+        e2 = e2 + two[0] * ox + two[1] * oy;
+    }
     let e0 = one[3] - e1 - e2;
     let [w0, w1, w2, _] = pick.row(s, &triangles, 2);
     let edges = [e0.to_float(), e1.to_float(), e2.to_float()];

@@ -37,7 +37,7 @@ pub(crate) fn interpolate<S: Simd, const SINGLE: bool>(
     // Step by step for the whole batch, and way by way: so that few branches are guessed wrong.
     let mut k = 0;
     while k < batch.len() {
-        let (distinct, fragments) = (&mut distinct[k & (BATCH - 1)], batch.packets()[k].fragments(None));
+        let (distinct, fragments) = (&mut distinct[k & (BATCH - 1)], batch.packets()[k].fragments());
         if SINGLE {
             distinct.set_single(layout, &fragments);
         } else {
@@ -53,9 +53,13 @@ pub(crate) fn interpolate<S: Simd, const SINGLE: bool>(
     let mut ways = Ways::default();
     let mut k = 0;
     while k < batch.len() {
-        let way = distinct[k & (BATCH - 1)].way_with(cache);
-        // What is kept of the last triangle is of pixels' centres.
-        ways.add(if way == Way::Large && batch.is_moved(k) { Way::InFull } else { way }, k);
+        let distinct = &mut distinct[k & (BATCH - 1)];
+        let mut way = distinct.way_with(cache);
+        if way == Way::Large && batch.is_moved(k) {
+            // What is kept of the last triangle is of pixels' centres.
+            (way, distinct.lanes) = (Way::ByLane, [distinct.ids[0]; 16]);
+        }
+        ways.add(way, k);
         k += 1;
     }
     if !ways.of(Way::One).is_empty() {

@@ -3,16 +3,18 @@
 //! A block of the picture has one block for each sample in the tile's buffers. Its fragments are put together from these: those that several samples
 //! share are shaded once, and the colour goes to each of the samples, which are tested and blended one by one.
 
+use super::__Row4 as Row4;
 use super::centroid::Borders;
 use super::distinct::Distinct;
 use super::interpolate::interpolate;
 use super::large::Last;
-use super::packet::{BATCH, Moved, VaryingLayout};
+use super::packet::{BATCH, Moved, PacketState, VaryingLayout};
 use super::shade::{How, OrderedPacket, Shading, channels, contains, keep, merge_color};
 use super::stencil::Tests;
+use crate::geometry::raster_space::SUBPIXELS;
 use crate::pass::plan::{Batch, DepthRule};
 use crate::pass::{ColorMask, Sampling};
-use crate::raster::triangle_id::{ORDER_BITS, TriangleId};
+use crate::raster::triangle_id::{CLIPPED_CLOCKWISE, ORDER_BITS, TriangleId};
 use crate::shading::OutputKind;
 use crate::target::format::{ColorFormat, TileColor};
 use crate::tile::Tile;
@@ -32,6 +34,55 @@ pub(crate) struct SamplePacket {
     pub(crate) mask: u32,
     /// Lanes whose triangle all of the pixel's samples show.
     pub(crate) inner: u32,
+    /// Whether these are the pixels' first triangles.
+    pub(crate) is_first: bool,
+}
+
+/// Fragments of several blocks of the tile, put together to a full packet: most pixels show one triangle, and packets of what else they show would have few
+/// lanes each.
+#[derive(Clone, Copy, Default)]
+struct Gathered {
+    ids: [u32; 16],
+    /// Of each fragment the first sample's block, and the lane there.
+    places: [(u32, u8); 16],
+    count: usize,
+}
+
+impl Gathered {
+    /// Takes fragments out of `rest` until it is full.
+    #[inline(always)]
+    fn take(&mut self, packet: &SamplePacket, rest: &mut u32) {
+        while *rest != 0 && self.count < 16 {
+            let lane = rest.trailing_zeros() as usize & 15;
+            *rest &= *rest - 1;
+            self.ids[self.count & 15] = packet.ids[lane];
+            self.places[self.count & 15] = (packet.block, lane as u8);
+            self.count += 1;
+        }
+    }
+
+    /// Adds what there is as a packet of its own.
+    #[inline(always)]
+    fn flush(&mut self, shading: &mut Shading<'_>) {
+        let mask = (1 << self.count) - 1;
+        let mut offsets = [[0; 16]; 2];
+        let mut lane = 0;
+        while lane < self.count {
+            let (block, from) = self.places[lane & 15];
+            let (x, y) = shading.view.pixel_of(block as usize);
+            let column = x + i32::from(from & 3) - shading.view.x - (lane & 3) as i32;
+            let row = y + i32::from(from >> 2) - shading.view.y - (lane >> 2) as i32;
+            (offsets[0][lane & 15], offsets[1][lane & 15]) = (column * SUBPIXELS, row * SUBPIXELS);
+            lane += 1;
+        }
+        let new = shading.batch.add();
+        (new.block, new.alive, new.x, new.y, new.ids) = (0, mask, shading.view.x, shading.view.y, self.ids);
+        shading.batch.shift(Moved::Gathered, offsets);
+        if shading.call.state().sampling == Sampling::Centroid {
+            shading.batch.find_centroids(mask, shading.view.samples);
+        }
+        self.count = 0;
+    }
 }
 
 /// The blocks with something visible: a packet holds the first triangle of each pixel, the next packet of the block a second one, and so on.
@@ -62,6 +113,7 @@ pub(crate) fn collect_visible<S: Simd>(
                 sample += 1;
             }
             let inner = same.to_bitmask() as u32 & rest[0];
+            let mut is_first = true;
             loop {
                 let (mut ids, mut mask) = (u32x16::splat(s, 0), 0);
                 let mut sample = 0;
@@ -83,7 +135,9 @@ pub(crate) fn collect_visible<S: Simd>(
                     rest[sample & 15] &= !(own.simd_eq(ids).to_bitmask() as u32);
                     sample += 1;
                 }
-                by_run(s, batch, is_by_sample, tile, view, block, ids, mask, inner, out);
+                let packet = SamplePacket { ids: ids.into(), run: 0, block: block as u32, mask, inner, is_first };
+                by_run(s, batch, is_by_sample, tile, view, &packet, out);
+                is_first = false;
             }
         }
         by += 1;
@@ -92,40 +146,37 @@ pub(crate) fn collect_visible<S: Simd>(
 
 /// Adds a packet for each run that the lanes show; or one for each sample.
 #[inline(always)]
-#[expect(clippy::too_many_arguments, reason = "one call, inlined")]
 fn by_run<S: Simd>(
     s: S,
     batch: &Batch<'_>,
     is_by_sample: &dyn Fn(usize) -> bool,
     tile: &Tile,
     view: &TileView,
-    block: usize,
-    ids: u32x16<S>,
-    mut rest: u32,
-    inner: u32,
+    all: &SamplePacket,
     out: &mut Vec<SamplePacket>,
 ) {
-    let lanes: [u32; 16] = ids.into();
+    let ids = u32x16::simd_from(s, all.ids);
+    let mut rest = all.mask;
     while rest != 0 {
         let (mut run, mut mask) = (0, rest);
         if batch.runs.len() > 1 {
-            run = batch.run_of(TriangleId(lanes[rest.trailing_zeros() as usize & 15]).number());
+            run = batch.run_of(TriangleId(all.ids[rest.trailing_zeros() as usize & 15]).number());
             let last = batch.runs[run].first_number + batch.runs[run].triangles;
             let first = TriangleId::first(batch.runs[run].first_number);
             mask &= (ids.simd_ge(first) & ids.simd_lt(TriangleId::first(last))).to_bitmask() as u32;
         }
         rest &= !mask;
-        let packet = SamplePacket { ids: lanes, run: run as u32, block: block as u32, mask, inner };
+        let packet = SamplePacket { run: run as u32, mask, ..*all };
         if !is_by_sample(run) {
             out.push(packet);
             continue;
         }
         let mut sample = 0;
         while sample < view.samples.count() {
-            let block = block + view.plane(sample);
-            let mask = u32x16::simd_from(s, tile.id[block]).simd_eq(ids).to_bitmask() as u32 & mask;
+            let block = all.block + view.plane(sample) as u32;
+            let mask = u32x16::simd_from(s, tile.id[block as usize]).simd_eq(ids).to_bitmask() as u32 & mask;
             if mask != 0 {
-                out.push(SamplePacket { block: block as u32, mask, ..packet });
+                out.push(SamplePacket { block, mask, ..packet });
             }
             sample += 1;
         }
@@ -149,16 +200,41 @@ pub(crate) fn shade_visible_samples<S: Simd>(
     let position = |vertex: usize| shading.call.position(vertex);
     let (mut last, mut distinct) = (Last::none(s), [Distinct::NONE; BATCH]);
     shading.cache.start(shading.run, &layout);
-    let further = shading.further();
-    for packets in packets.chunks(BATCH) {
+    // Lanes of several blocks go together where nothing is computed from the block.
+    let can_gather = layout.depth && layout.is_plain && shading.run.strokes.is_none();
+    let (mut gathered, mut rest, mut next) = (Gathered::default(), 0, 0);
+    loop {
         shading.batch.start(&layout, shading.run.front_is_clockwise);
-        for packet in packets {
+        let mut places = [None; BATCH];
+        while next < packets.len() && shading.batch.len() < BATCH {
+            let packet = &packets[next];
+            if can_gather && !packet.is_first && clipped(s, &packet.ids, packet.mask) == 0 {
+                if rest == 0 {
+                    rest = packet.mask;
+                }
+                gathered.take(packet, &mut rest);
+                next += usize::from(rest == 0);
+                if gathered.count == 16 {
+                    places[shading.batch.len() & (BATCH - 1)] = Some(gathered.places);
+                    gathered.flush(shading);
+                }
+                continue;
+            }
+            next += 1;
             let (x, y) = shading.view.pixel_of(packet.block as usize);
             let new = shading.batch.add();
             (new.block, new.alive, new.x, new.y) = (packet.block, packet.mask, x, y);
             new.ids = packet.ids;
             new.depth = shading.tile.depth[packet.block as usize];
-            move_off_centers(s, shading, &packet.ids, packet.mask & !packet.inner, packet.block as usize);
+            let border = packet.mask & !packet.inner;
+            move_off_centers(s, shading, &layout, &packet.ids, border, packet.block as usize);
+        }
+        if next == packets.len() && gathered.count > 0 && shading.batch.len() < BATCH {
+            places[shading.batch.len() & (BATCH - 1)] = Some(gathered.places);
+            gathered.flush(shading);
+        }
+        if shading.batch.len() == 0 {
+            return;
         }
         interpolate::<S, false>(
             s,
@@ -172,26 +248,21 @@ pub(crate) fn shade_visible_samples<S: Simd>(
         );
         finish_depths(s, shading, &layout, depth);
         shading.call.run_fragments(shading.level, shading.batch);
+        let further = shading.further();
         let mut i = 0;
         while i < shading.batch.len() {
-            let packet = &shading.batch.packets()[i];
-            let (alive, ids) = (mask32x16::from_bitmask(s, u64::from(packet.alive)), u32x16::simd_from(s, packet.ids));
+            let store = Store {
+                tile: shading.tile,
+                view: shading.view,
+                packet: &shading.batch.packets()[i],
+                is_of_all_samples: layout.depth,
+                places: &places[i],
+            };
             let more = shading.batch.more(i);
-            store(
-                s,
-                shading.color,
-                shading.tile,
-                shading.view,
-                packet.block as usize,
-                alive,
-                ids,
-                &packet.color,
-                &layout,
-            );
+            store.color(s, shading.color, &store.packet.color);
             let mut k = 0;
             while k < further {
-                let color = &mut shading.more_colors[k];
-                store(s, color, shading.tile, shading.view, packet.block as usize, alive, ids, &more[k], &layout);
+                store.color(s, &mut shading.more_colors[k], &more[k]);
                 k += 1;
             }
             i += 1;
@@ -199,56 +270,87 @@ pub(crate) fn shade_visible_samples<S: Simd>(
     }
 }
 
-/// Stores a colour for all samples that show its triangle; or for the one that it is of.
+/// Which lanes are of clipped triangles.
 #[inline(always)]
-#[expect(clippy::too_many_arguments, reason = "inlined")]
-fn store<S: Simd>(
-    s: S,
-    color: &mut TileColor,
-    tile: &Tile,
-    view: &TileView,
-    block: usize,
-    alive: mask32x16<S>,
-    ids: u32x16<S>,
-    rows: &super::__Row4,
-    layout: &VaryingLayout,
-) {
-    if !layout.depth {
-        color.store(s, block, alive, channels(s, rows), ColorMask::ALL);
-        return;
-    }
-    // Encoded once: to the border's first block, which nobody reads, and from there to where it belongs.
-    let scratch = 0;
-    color.store(s, scratch, alive, channels(s, rows), ColorMask::ALL);
-    let mut sample = 0;
-    while sample < view.samples.count() {
-        let to = block + view.plane(sample);
-        let shows = alive & u32x16::simd_from(s, tile.id[to]).simd_eq(ids);
-        color.copy_block(s, scratch, to, shows);
-        sample += 1;
+fn clipped<S: Simd>(s: S, ids: &[u32; 16], mask: u32) -> u32 {
+    let codes = u32x16::simd_from(s, *ids) & ((1 << ORDER_BITS) - 1);
+    codes.simd_ge(CLIPPED_CLOCKWISE).to_bitmask() as u32 & mask
+}
+
+/// Where the colours of a packet go.
+struct Store<'a> {
+    tile: &'a Tile,
+    view: &'a TileView,
+    packet: &'a PacketState,
+    is_of_all_samples: bool,
+    /// Of gathered fragments.
+    places: &'a Option<[(u32, u8); 16]>,
+}
+
+impl Store<'_> {
+    /// Stores a colour for all samples that show its triangle; or for the one that it is of.
+    #[inline(always)]
+    fn color<S: Simd>(&self, s: S, color: &mut TileColor, rows: &Row4) {
+        let &Self { tile, view, packet, is_of_all_samples, places } = self;
+        let alive = mask32x16::from_bitmask(s, u64::from(packet.alive));
+        let block = packet.block as usize;
+        if !is_of_all_samples {
+            color.store(s, block, alive, channels(s, rows), ColorMask::ALL);
+            return;
+        }
+        // Encoded once: to the border's first block, which nobody reads, and from there to where it belongs.
+        color.store(s, SCRATCH, alive, channels(s, rows), ColorMask::ALL);
+        let mut sample = 0;
+        while sample < view.samples.count() {
+            if let Some(places) = places {
+                let mut rest = packet.alive;
+                while rest != 0 {
+                    let lane = rest.trailing_zeros() as usize & 15;
+                    rest &= rest - 1;
+                    let (block, to) = places[lane];
+                    let (block, to) = (block as usize + view.plane(sample), usize::from(to & 15));
+                    if tile.id[block][to] == packet.ids[lane] {
+                        color.copy_sample(SCRATCH, lane, block, to);
+                    }
+                }
+            } else {
+                let to = block + view.plane(sample);
+                let shows = u32x16::simd_from(s, tile.id[to]).simd_eq(u32x16::simd_from(s, packet.ids));
+                color.copy_block(s, SCRATCH, to, alive & shows);
+            }
+            sample += 1;
+        }
     }
 }
 
+/// A block that belongs to the border.
+const SCRATCH: usize = 0;
+
 /// Says where the fragments of the last packet of the batch are shaded. `border` are those that may not cover their pixels' centres.
 #[inline(always)]
-fn move_off_centers<S: Simd>(s: S, shading: &mut Shading<'_>, ids: &[u32; 16], border: u32, block: usize) {
+fn move_off_centers<S: Simd>(
+    s: S,
+    shading: &mut Shading<'_>,
+    layout: &VaryingLayout,
+    ids: &[u32; 16],
+    border: u32,
+    block: usize,
+) {
     let samples = shading.view.samples;
     match shading.call.state().sampling {
-        Sampling::Center => {}
-        Sampling::Centroid => {
-            if border != 0 {
-                let (x, y) = shading.view.pixel_of(block);
-                let borders = Borders { ids, mask: border, x, y, samples };
-                let offsets = borders.offsets(s, shading.call, shading.run);
-                if offsets != [[0; 16]; 2] {
-                    shading.batch.shift(Moved::ByLane, offsets);
-                }
+        Sampling::Centroid if border != 0 => {
+            if layout.is_plain && clipped(s, ids, border) == 0 && shading.run.strokes.is_none() {
+                return shading.batch.find_centroids(border, samples);
             }
+            let (x, y) = shading.view.pixel_of(block);
+            let offsets = Borders { ids, mask: border, x, y, samples }.offsets(shading.call, shading.run);
+            shading.batch.shift(Moved::ByLane, offsets);
         }
         Sampling::Sample => {
             let [x, y] = samples.offset(shading.view.sample_of(block));
             shading.batch.shift(Moved::ToSample, [[x; 16], [y; 16]]);
         }
+        Sampling::Center | Sampling::Centroid => {}
     }
 }
 
@@ -328,7 +430,7 @@ pub(crate) fn shade_samples_in_order<S: Simd>(
                 let new = shading.batch.add();
                 (new.block, new.alive, new.x, new.y) = (block as u32, mask, x, y);
                 (new.ids, new.depth) = ([id; 16], group[0].depth);
-                move_off_centers(s, shading, &[id; 16], mask & !inner, block);
+                move_off_centers(s, shading, &layout, &[id; 16], mask & !inner, block);
                 groups[shading.batch.len() - 1] = group;
             }
         }

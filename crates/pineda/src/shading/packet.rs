@@ -7,6 +7,7 @@ use super::{__Row4 as Row4, Frag, FragParts, FragmentStage, Interpolation, Outpu
 use crate::geometry::raster_space::{HALF_PIXEL, SUBPIXELS};
 use crate::lanes::Packet;
 use crate::math::{Bool, Real, Vec2};
+use crate::raster::samples::Samples;
 use crate::raster::triangle_id::{CLIPPED_CLOCKWISE, ORDER_BITS};
 use crate::tile::view::BlockLanes;
 use crate::wide::{Simd, f32x16, i32x16, mask32x16, u32x16};
@@ -56,6 +57,8 @@ pub(crate) enum Moved {
     ByLane,
     /// All are, to one sample, whose fragments they are.
     ToSample,
+    /// The lanes are of any pixels of a tile.
+    Gathered,
 }
 
 /// What a fragment stage gets beside the varyings, and what it leaves.
@@ -78,8 +81,9 @@ pub(crate) struct PacketState {
 impl PacketState {
     /// What is to be shaded.
     #[inline(always)]
-    pub(crate) fn fragments<'a>(&'a self, moved: Option<&'a [[i32; 16]; 2]>) -> Fragments<'a> {
-        Fragments { ids: &self.ids, mask: self.alive, x: self.x, y: self.y, moved }
+    pub(crate) fn fragments(&self) -> Fragments<'_> {
+        let (ids, mask) = (&self.ids, self.alive);
+        Fragments { ids, mask, x: self.x, y: self.y, moved: None, border: 0, samples: Samples::One }
     }
 }
 
@@ -98,6 +102,9 @@ pub(crate) struct PacketBatch {
     /// How far the lanes of each packet are moved off their pixels' centres, in subpixels.
     moved: [Moved; BATCH],
     offsets: [[[i32; 16]; 2]; BATCH],
+    /// Those that may have to be.
+    borders: [u32; BATCH],
+    samples: Samples,
     /// Interpolated depths.
     z: [[f32; 16]; BATCH],
 }
@@ -115,6 +122,8 @@ impl PacketBatch {
             front_is_clockwise: false,
             moved: [Moved::No; BATCH],
             offsets: [[[0; 16]; 2]; BATCH],
+            borders: [0; BATCH],
+            samples: Samples::One,
             z: [[0.0; 16]; BATCH],
         }
     }
@@ -122,7 +131,7 @@ impl PacketBatch {
     /// Empties the batch for packets of this layout.
     pub(crate) fn start(&mut self, layout: &VaryingLayout, front_is_clockwise: bool) {
         self.count = 0;
-        self.moved = [Moved::No; BATCH];
+        (self.moved, self.borders) = ([Moved::No; BATCH], [0; BATCH]);
         self.rows_each = layout.rows();
         self.derivatives = layout.derivatives;
         self.front_is_clockwise = front_is_clockwise;
@@ -156,10 +165,16 @@ impl PacketBatch {
         (self.moved[last], self.offsets[last]) = (moved, offsets);
     }
 
-    /// Whether a packet is moved.
+    /// Leaves it to interpolation to move lanes of the last packet, which is of triangles on the raster.
+    pub(crate) fn find_centroids(&mut self, border: u32, samples: Samples) {
+        self.borders[self.count.wrapping_sub(1) & (BATCH - 1)] = border;
+        self.samples = samples;
+    }
+
+    /// Whether a packet is moved, or may have to be.
     #[inline(always)]
     pub(crate) fn is_moved(&self, k: usize) -> bool {
-        self.moved[k & (BATCH - 1)] != Moved::No
+        self.moved[k & (BATCH - 1)] != Moved::No || self.borders[k & (BATCH - 1)] != 0
     }
 
     /// Replaces the interpolated depths: by what a function makes of a triangle's id and a place on the raster, in subpixels.
@@ -198,7 +213,9 @@ impl PacketBatch {
         let (here, rest) = rows.split_at_mut(each);
         let (dx, dy) = rest.split_at_mut(if self.derivatives { each } else { 0 });
         let moved = if self.moved[k & (BATCH - 1)] == Moved::No { None } else { Some(&self.offsets[k & (BATCH - 1)]) };
-        (self.packets[k].fragments(moved), PacketRows { here, dx, dy, z: &mut self.z[k & (BATCH - 1)] })
+        let (border, samples) = (self.borders[k & (BATCH - 1)], self.samples);
+        let fragments = Fragments { moved, border, samples, ..self.packets[k].fragments() };
+        (fragments, PacketRows { here, dx, dy, z: &mut self.z[k & (BATCH - 1)] })
     }
 
     /// What the fragments of packet `k` have beside a colour.
@@ -266,10 +283,11 @@ impl PacketBatch {
             let clockwise = code.simd_lt(3) | code.simd_eq(CLIPPED_CLOCKWISE as i32);
             parts.x = Real(lanes.x + (packet.x as f32 + 0.5));
             parts.y = Real(lanes.y + (packet.y as f32 + 0.5));
-            if self.moved[k & (BATCH - 1)] == Moved::ToSample {
-                let [[x, ..], [y, ..]] = self.offsets[k & (BATCH - 1)];
-                parts.x += x as f32 / SUBPIXELS as f32;
-                parts.y += y as f32 / SUBPIXELS as f32;
+            if matches!(self.moved[k & (BATCH - 1)], Moved::ToSample | Moved::Gathered) {
+                let [x, y] = self.offsets[k & (BATCH - 1)];
+                let (x, y) = (i32x16::simd_from(s, x).to_float(), i32x16::simd_from(s, y).to_float());
+                parts.x = Real(parts.x.0 + x * (1.0 / SUBPIXELS as f32));
+                parts.y = Real(parts.y.0 + y * (1.0 / SUBPIXELS as f32));
             }
             parts.z = Real(i32x16::simd_from(s, packet.depth).bitcast());
             parts.front_facing = Bool(if self.front_is_clockwise { clockwise } else { !clockwise });

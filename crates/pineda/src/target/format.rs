@@ -181,6 +181,17 @@ impl TileColor {
         }
     }
 
+    /// Copies the colour of one sample from another block's.
+    #[inline(always)]
+    pub(crate) fn copy_sample(&mut self, from: usize, from_lane: usize, to: usize, to_lane: usize) {
+        let each = self.format.words();
+        let mut k = 0;
+        while k < each {
+            self.words[each * to + k][to_lane & 15] = self.words[each * from + k][from_lane & 15];
+            k += 1;
+        }
+    }
+
     /// Whether two blocks hold the same.
     #[inline(always)]
     pub(crate) fn is_same<S: Simd>(&self, s: S, a: usize, b: usize) -> bool {
