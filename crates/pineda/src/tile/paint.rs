@@ -15,6 +15,7 @@ use crate::shading::cached::TriangleCache;
 use crate::shading::packet::PacketBatch;
 use crate::shading::run::RunView;
 use crate::shading::shade::{OrderedPacket, Shading, VisiblePacket, shade_in_order, shade_visible};
+use crate::shading::single::Single;
 use crate::target::MAX_COLORS;
 use crate::target::bands::Bands;
 use crate::target::depth::DepthFormat;
@@ -82,13 +83,14 @@ pub(crate) struct Painter {
     visible: Vec<VisiblePacket>,
     batch: PacketBatch,
     cache: TriangleCache,
+    single: Single,
     ordered: Vec<OrderedPacket>,
     /// What was counted of each draw, if it is asked for.
     pub(crate) draws: Vec<DrawStatistics>,
 }
 
-/// Ordered packets are shaded when there are this many.
-const ORDERED_PACKETS: usize = 256;
+/// Ordered packets are shaded when there are this many: few enough that the nearest cache holds them beside a tile's colours and depths.
+const ORDERED_PACKETS: usize = 64;
 
 impl Painter {
     pub(crate) fn new() -> Self {
@@ -100,6 +102,7 @@ impl Painter {
             visible: Vec::new(),
             batch: PacketBatch::new(),
             cache: TriangleCache::new(),
+            single: Single::NONE,
             ordered: Vec::new(),
             draws: Vec::new(),
         }
@@ -258,6 +261,7 @@ impl Painter {
                 more_colors: &mut self.more_colors,
                 batch: &mut self.batch,
                 cache: &mut self.cache,
+                single: &mut self.single,
                 counted: None,
             };
             dispatch!(painting.level, s => shade_visible(s, &mut shading, packets));
@@ -308,6 +312,7 @@ impl Painter {
         let test = AnyTest { rule: segment.depth, format: painting.depth_format };
         let mut work = std::mem::take(&mut self.tile.worklist);
         let mut counted = segment.draw.map(|_| DrawStatistics::default());
+        self.single.forget();
         let mut sink = InOrder {
             test,
             packets: &mut self.ordered,
@@ -322,6 +327,7 @@ impl Painter {
                     more_colors: &mut self.more_colors,
                     batch: &mut self.batch,
                     cache: &mut self.cache,
+                    single: &mut self.single,
                     counted: counted.as_mut(),
                 };
                 dispatch!(painting.level, s => shade_in_order(s, &mut shading, packets));
