@@ -329,7 +329,7 @@ fn merge_color<S: Simd>(
 }
 
 /// Lane by lane. Not inlined: the compiler would multiply whether there is something to multiply by or not, and of what lies there else,
-/// many a number is denormal, which takes a processor a hundred times as long.
+/// many a number is denormal, which takes a processor many times as long.
 #[inline(never)]
 fn products(a: &[f32; 16], b: &[f32; 16]) -> [f32; 16] {
     let mut out = [0.0; 16];
