@@ -92,7 +92,9 @@ impl PacketState {
 pub(crate) struct PacketBatch {
     packets: [PacketState; BATCH],
     count: usize,
-    rows: Vec<[f32; 16]>,
+    /// From `aligned` on, so that no row lies in two cache lines.
+    rows: Vec<f32>,
+    aligned: usize,
     rows_each: usize,
     /// What the packets' fragments have beside a colour: for further colour buffers, or to be blended with.
     more: Vec<Row4>,
@@ -115,6 +117,7 @@ impl PacketBatch {
             packets: [PacketState::default(); BATCH],
             count: 0,
             rows: Vec::new(),
+            aligned: 0,
             rows_each: 0,
             more: Vec::new(),
             more_each: 0,
@@ -135,9 +138,8 @@ impl PacketBatch {
         self.rows_each = layout.rows();
         self.derivatives = layout.derivatives;
         self.front_is_clockwise = front_is_clockwise;
-        let rows = BATCH * self.rows_each;
-        if self.rows.len() < rows {
-            self.rows.resize(rows, [0.0; 16]);
+        if self.rows.len() < 16 * (BATCH * self.rows_each + 1) {
+            self.reserve_rows();
         }
     }
 
@@ -205,13 +207,29 @@ impl PacketBatch {
         }
     }
 
+    /// Gives every packet, those that are yet to be added too, the same ids, until another is given.
+    pub(crate) fn set_all_ids(&mut self, id: u32) {
+        for packet in &mut self.packets {
+            packet.ids = [id; 16];
+        }
+    }
+
+    /// The same for a row.
+    pub(crate) fn set_all_rows(&mut self, k: usize, row: [f32; 16]) {
+        for packet in 0..BATCH {
+            self.packet(packet).1.here[k] = row;
+        }
+    }
+
     /// The fragments of packet `k`, and its rows.
     #[inline(always)]
     pub(crate) fn packet(&mut self, k: usize) -> (Fragments<'_>, PacketRows<'_>) {
-        let rows = &mut self.rows[k * self.rows_each..(k + 1) * self.rows_each];
-        let each = if self.derivatives { rows.len() / 3 } else { rows.len() };
+        let derivatives = self.derivatives;
+        let first = self.aligned + 16 * k * self.rows_each;
+        let rows = self.rows[first..first + 16 * self.rows_each].as_chunks_mut().0;
+        let each = if derivatives { rows.len() / 3 } else { rows.len() };
         let (here, rest) = rows.split_at_mut(each);
-        let (dx, dy) = rest.split_at_mut(if self.derivatives { each } else { 0 });
+        let (dx, dy) = rest.split_at_mut(if derivatives { each } else { 0 });
         let moved = if self.moved[k & (BATCH - 1)] == Moved::No { None } else { Some(&self.offsets[k & (BATCH - 1)]) };
         let (border, samples) = (self.borders[k & (BATCH - 1)], self.samples);
         let fragments = Fragments { moved, border, samples, ..self.packets[k].fragments() };
@@ -222,6 +240,12 @@ impl PacketBatch {
     #[inline(always)]
     pub(crate) fn more(&self, k: usize) -> &[Row4] {
         &self.more[k * self.more_each..(k + 1) * self.more_each]
+    }
+
+    #[inline(never)]
+    fn reserve_rows(&mut self) {
+        self.rows.resize(16 * (BATCH * self.rows_each + 1), 0.0);
+        self.aligned = self.rows.as_ptr().align_offset(64).min(15);
     }
 
     /// Makes room for what comes beside the first colour.
@@ -249,7 +273,7 @@ impl PacketBatch {
         let length = if St::POINT_COORD { own + 2 * 16 } else { own };
         let zero = Real(f32x16::splat(s, 0.0));
         let none = Bool(mask32x16::splat(s, false));
-        let first = St::V::read(Packet(s), self.rows.as_flattened());
+        let first = St::V::read(Packet(s), &self.rows);
         // One for all packets: the compiler would copy each new one several times over.
         let mut fragment = Frag {
             parts: FragParts {
@@ -268,7 +292,8 @@ impl PacketBatch {
         let mut k = 0;
         while k < self.count {
             let packet = &mut self.packets[k];
-            let rows = self.rows[k * self.rows_each..(k + 1) * self.rows_each].as_flattened();
+            let at = self.aligned + 16 * k * self.rows_each;
+            let rows = &self.rows[at..at + 16 * self.rows_each];
             let parts = &mut fragment.parts;
             parts.varyings = St::V::read(Packet(s), rows);
             if St::DERIVATIVES {

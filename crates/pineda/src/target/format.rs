@@ -113,10 +113,7 @@ impl TileColor {
     #[inline(always)]
     pub(crate) fn load<S: Simd>(&self, s: S, block: usize) -> Channels<S> {
         match self.format {
-            ColorFormat::Unorm8(4) => {
-                let p = u32x16::simd_from(s, self.words[block]);
-                [from_unorm8(s, p), from_unorm8(s, p >> 8), from_unorm8(s, p >> 16), from_unorm8(s, p >> 24)]
-            }
+            ColorFormat::Unorm8(4) => from_bytes(s, u32x16::simd_from(s, self.words[block])),
             ColorFormat::Srgb8(4) => {
                 let words = &self.words[block];
                 let decoded = decode_srgb(words);
@@ -400,6 +397,25 @@ fn from_unorm8<S: Simd>(_: S, codes: u32x16<S>) -> f32x16<S> {
 
 const PART_OF_255: f32 = f32::from_bits((1.0f32 / 255.0).to_bits() & !0xff);
 const REST_OF_255: f32 = (1.0 / 255.0 - PART_OF_255 as f64) as f32;
+
+/// The four bytes of each lane, over 255.
+#[inline(always)]
+pub(crate) fn from_bytes<S: Simd>(s: S, p: u32x16<S>) -> Channels<S> {
+    [from_unorm8(s, p), from_unorm8(s, p >> 8), from_unorm8(s, p >> 16), from_unorm8(s, p >> 24)]
+}
+
+/// Packed 8-bit codes of channels, red in the lowest byte, all of them known to be from 0 to 1.
+#[inline(always)]
+pub(crate) fn to_bytes<S: Simd, const N: usize>(s: S, channels: [f32x16<S>; N]) -> u32x16<S> {
+    let mut packed = u32x16::splat(s, 0);
+    let mut k = 0;
+    while k < N {
+        let code: i32x16<S> = (channels[k] * 255.0 + 0.5).to_int();
+        packed = packed | (code.bitcast::<u32x16<S>>() << (8 * k as u32));
+        k += 1;
+    }
+    packed
+}
 
 /// The sRGB codes of three channels, packed, alpha 0.
 #[inline(always)]

@@ -19,6 +19,7 @@ use crate::shading::multisample::{SamplePacket, shade_samples_in_order, shade_vi
 use crate::shading::packet::PacketBatch;
 use crate::shading::run::RunView;
 use crate::shading::shade::{OrderedPacket, Shading, VisiblePacket, shade_in_order, shade_visible};
+use crate::shading::single::Single;
 use crate::target::MAX_COLORS;
 use crate::target::bands::Bands;
 use crate::target::depth::DepthFormat;
@@ -97,13 +98,14 @@ pub(crate) struct Painter {
     visible_samples: Vec<SamplePacket>,
     batch: PacketBatch,
     cache: TriangleCache,
+    single: Single,
     ordered: Vec<OrderedPacket>,
     /// What was counted of each draw, if it is asked for.
     pub(crate) draws: Vec<DrawStatistics>,
 }
 
-/// Ordered packets are shaded when there are this many.
-const ORDERED_PACKETS: usize = 256;
+/// Ordered packets are shaded when there are this many: few enough that the nearest cache holds them beside a tile's colours and depths.
+const ORDERED_PACKETS: usize = 64;
 
 impl Painter {
     pub(crate) fn new() -> Self {
@@ -116,6 +118,7 @@ impl Painter {
             visible_samples: Vec::new(),
             batch: PacketBatch::new(),
             cache: TriangleCache::new(),
+            single: Single::NONE,
             ordered: Vec::new(),
             draws: Vec::new(),
         }
@@ -289,6 +292,7 @@ impl Painter {
                 more_colors: &mut self.more_colors,
                 batch: &mut self.batch,
                 cache: &mut self.cache,
+                single: &mut self.single,
                 counted: None,
             };
             dispatch!(painting.level, s => shade_visible(s, &mut shading, packets));
@@ -322,6 +326,7 @@ impl Painter {
                 more_colors: &mut self.more_colors,
                 batch: &mut self.batch,
                 cache: &mut self.cache,
+                single: &mut self.single,
                 counted: None,
             };
             dispatch!(painting.level, s => shade_visible_samples(s, &mut shading, packets, segment.depth));
@@ -397,6 +402,7 @@ impl Painter {
         let mut work = std::mem::take(&mut self.tile.worklist);
         let mut counted = segment.draw.map(|_| DrawStatistics::default());
         let is_plain = painting.samples.is_one() && !call.state().alpha_to_coverage;
+        self.single.forget();
         let mut sink = InOrder {
             test,
             packets: &mut self.ordered,
@@ -412,6 +418,7 @@ impl Painter {
                     more_colors: &mut self.more_colors,
                     batch: &mut self.batch,
                     cache: &mut self.cache,
+                    single: &mut self.single,
                     counted: counted.as_mut(),
                 };
                 if is_plain {

@@ -153,6 +153,21 @@ impl Compare {
             | (mask32x16::splat(s, equal) & new.simd_eq(there))
             | (mask32x16::splat(s, greater) & new.simd_gt(there))
     }
+
+    /// The same by one comparison, for loops in which a branch that always goes the same way costs less than two comparisons more.
+    #[inline(always)]
+    pub(crate) fn passes_by_case<S: Simd>(self, s: S, new: i32x16<S>, there: i32x16<S>) -> mask32x16<S> {
+        match self {
+            Self::Never => mask32x16::splat(s, false),
+            Self::Less => new.simd_lt(there),
+            Self::Equal => new.simd_eq(there),
+            Self::LessEqual => new.simd_le(there),
+            Self::Greater => new.simd_gt(there),
+            Self::NotEqual => !new.simd_eq(there),
+            Self::GreaterEqual => new.simd_ge(there),
+            Self::Always => mask32x16::splat(s, true),
+        }
+    }
 }
 
 /// Keeps the depth and, with `ID`, the triangle of the samples that pass: visibility, no shader involved.
