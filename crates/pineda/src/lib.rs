@@ -74,6 +74,8 @@
 //!
 //! # What comes out
 //!
+//! With [several samples a pixel](Target::samples), all of it is each sample's own, and pictures are their averages.
+//!
 //! Colour (8 bits linear or sRGB, 16 bits, half floats, f32, integers; up to eight [things at once](Outputs)), depth, and, for those who shade elsewhere, the visibility buffer: triangle, instance and draw ids, barycentric coordinates,
 //! and how often each pixel was covered. See [`Target`].
 //!
