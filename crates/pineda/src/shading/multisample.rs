@@ -300,24 +300,26 @@ impl Store<'_> {
         }
         // Encoded once: to the border's first block, which nobody reads, and from there to where it belongs.
         color.store(s, SCRATCH, alive, channels(s, rows), ColorMask::ALL);
+        if let Some(places) = places {
+            let mut rest = packet.alive;
+            while rest != 0 {
+                let lane = rest.trailing_zeros() as usize & 15;
+                rest &= rest - 1;
+                let (block, to) = (places[lane].0 as usize, usize::from(places[lane].1 & 15));
+                let mut sample = 0;
+                while sample < view.samples.count() {
+                    let block = block + view.plane(sample);
+                    color.copy_sample([SCRATCH, lane], [block, to], tile.id[block][to] == packet.ids[lane]);
+                    sample += 1;
+                }
+            }
+            return;
+        }
         let mut sample = 0;
         while sample < view.samples.count() {
-            if let Some(places) = places {
-                let mut rest = packet.alive;
-                while rest != 0 {
-                    let lane = rest.trailing_zeros() as usize & 15;
-                    rest &= rest - 1;
-                    let (block, to) = places[lane];
-                    let (block, to) = (block as usize + view.plane(sample), usize::from(to & 15));
-                    if tile.id[block][to] == packet.ids[lane] {
-                        color.copy_sample(SCRATCH, lane, block, to);
-                    }
-                }
-            } else {
-                let to = block + view.plane(sample);
-                let shows = u32x16::simd_from(s, tile.id[to]).simd_eq(u32x16::simd_from(s, packet.ids));
-                color.copy_block(s, SCRATCH, to, alive & shows);
-            }
+            let to = block + view.plane(sample);
+            let shows = u32x16::simd_from(s, tile.id[to]).simd_eq(u32x16::simd_from(s, packet.ids));
+            color.copy_block(s, SCRATCH, to, alive & shows);
             sample += 1;
         }
     }

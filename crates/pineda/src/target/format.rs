@@ -178,13 +178,15 @@ impl TileColor {
         }
     }
 
-    /// Copies the colour of one sample from another block's.
+    /// Copies the colour of one sample from another, each a block and a lane there, if it is asked for: without a branch, which would be guessed wrong too often.
     #[inline(always)]
-    pub(crate) fn copy_sample(&mut self, from: usize, from_lane: usize, to: usize, to_lane: usize) {
+    pub(crate) fn copy_sample(&mut self, from: [usize; 2], to: [usize; 2], asked: bool) {
         let each = self.format.words();
         let mut k = 0;
         while k < each {
-            self.words[each * to + k][to_lane & 15] = self.words[each * from + k][from_lane & 15];
+            let word = self.words[each * from[0] + k][from[1] & 15];
+            let there = &mut self.words[each * to[0] + k][to[1] & 15];
+            *there = std::hint::select_unpredictable(asked, word, *there);
             k += 1;
         }
     }
