@@ -68,7 +68,9 @@ impl Shading<'_> {
     fn count(&mut self, block: usize, fragments: u32, samples: u32) {
         if let Some(counted) = self.counted.as_deref_mut().filter(|_| !self.view.is_border(block)) {
             counted.fragments_shaded += u64::from(fragments.count_ones());
-            counted.samples_passed += u64::from(samples.count_ones());
+            let samples = u64::from(samples.count_ones());
+            counted.samples_passed += samples;
+            counted.samples_written += samples;
         }
     }
 }

@@ -230,13 +230,17 @@ impl Painter {
             _ => dispatch!(level, s => visibility::<_, _, true>(s, &area, tile, test, counted_in)),
         };
         if let Some(draw) = segment.draw {
-            self.counts(draw).samples_passed += passed;
+            let counts = self.counts(draw);
+            counts.samples_passed += passed;
+            // Of the others only what is visible in the end.
+            counts.samples_written += if segment.kind == SegmentKind::DepthOnly { passed } else { 0 };
         }
     }
 
     /// Shades every sample of the visibility buffer, draw by draw.
     fn shade_visible(&mut self, painting: &Painting<'_>, view: &TileView) {
-        if !painting.wants.any_color() {
+        let has_color = painting.wants.any_color();
+        if !has_color && painting.batch.segments.iter().all(|segment| segment.draw.is_none()) {
             return;
         }
         self.visible.clear();
@@ -248,6 +252,15 @@ impl Painter {
         }
         for packets in self.visible.chunk_by(|a, b| a.run == b.run) {
             let run = packets[0].run as usize;
+            if let Some(draw) = painting.batch.segments[painting.batch.runs[run].segment].draw {
+                let samples = packets.iter().map(|packet| u64::from(packet.mask.count_ones())).sum::<u64>();
+                let counts = draws_entry(&mut self.draws, draw);
+                counts.samples_written += samples;
+                counts.fragments_shaded += if has_color { samples } else { 0 };
+            }
+            if !has_color {
+                continue;
+            }
             let mut shading = Shading {
                 level: painting.level,
                 call: &*painting.draws[painting.batch.runs[run].draw],
@@ -261,10 +274,6 @@ impl Painter {
                 counted: None,
             };
             dispatch!(painting.level, s => shade_visible(s, &mut shading, packets));
-            if painting.batch.segments[painting.batch.runs[run].segment].draw.is_some() {
-                let fragments: u32 = packets.iter().map(|packet| packet.mask.count_ones()).sum();
-                draws_entry(&mut self.draws, painting.batch.runs[run].draw).fragments_shaded += u64::from(fragments);
-            }
         }
     }
 
