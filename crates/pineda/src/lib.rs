@@ -79,6 +79,8 @@
 //! Colour (8 bits linear or sRGB, 16 bits, half floats, f32, integers; up to eight [things at once](Outputs)), depth, and, for those who shade elsewhere, the visibility buffer: triangle, instance and draw ids, barycentric coordinates,
 //! and how often each pixel was covered. See [`Target`].
 //!
+//! Examples with their pictures are in the repository's `docs/examples.md`.
+//!
 //! # What cannot happen
 //!
 //! No mesh, number or setting makes it panic; what is wrong is an [`Error`] before anything is drawn. A triangle, line or point with a NaN or infinite position is dropped

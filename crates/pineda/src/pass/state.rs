@@ -144,6 +144,22 @@ pub struct DrawState {
     pub depth_bias: DepthBias,
     /// Whether what lies before the near plane or beyond the far one is drawn, with the nearest or farthest depth of the viewport, instead of
     /// being clipped. What lies behind the eye is clipped nevertheless.
+    /// ```
+    /// use pineda::*;
+    /// let beyond = [[-1.0, 1.0, 2.0, 1.0], [-1.0, -1.0, 2.0, 1.0], [1.0, -1.0, 2.0, 1.0]];
+    /// let drawn = |depth_clamp| {
+    ///     let mut pass = Pass::new();
+    ///     pass.draw_with(
+    ///         Mesh { vertices: &beyond, indices: Indices::Sequential },
+    ///         DrawState { depth_clamp, depth: DepthState::OFF, ..DrawState::default() },
+    ///         |&corner| (Vec4::from(corner), ()),
+    ///         |f| Rgba::gray(f.z()),
+    ///     );
+    ///     Ok::<_, Error>(Renderer::new(Settings::default())?.render_counted(&pass, &mut Target::new(64, 64))?[0].samples_passed)
+    /// };
+    /// assert_eq!((drawn(false)?, drawn(true)?), (0, 32 * 63));
+    /// # Ok::<(), Error>(())
+    /// ```
     pub depth_clamp: bool,
     /// The stencil test; `None` for none.
     pub stencil: Option<StencilState>,
@@ -227,6 +243,27 @@ impl Default for DrawState {
 }
 
 /// The space of the positions that a vertex stage returns.
+///
+/// ```
+/// use pineda::*;
+/// let drawn = |space, corners: [[f32; 2]; 3]| {
+///     let mut pass = Pass::new();
+///     pass.draw_with(
+///         Mesh { vertices: &corners, indices: Indices::Sequential },
+///         DrawState { space, ..DrawState::default() },
+///         |&[x, y]| (Vec4::from([x, y, 0.5, 1.0]), ()),
+///         |f| Rgba::gray(f.z()),
+///     );
+///     let mut hits = vec![0; 64 * 64];
+///     let mut target = Target { hits: Some(&mut hits), ..Target::new(64, 64) };
+///     Renderer::new(Settings::default())?.render(&pass, &mut target)?;
+///     Ok::<_, Error>(hits)
+/// };
+/// // The lower left half of the picture: y up, and y down.
+/// let clip = drawn(Space::Clip, [[-1.0, 1.0], [-1.0, -1.0], [1.0, -1.0]])?;
+/// assert!(clip == drawn(Space::Raster, [[0.0, 0.0], [0.0, 64.0], [64.0, 64.0]])?);
+/// # Ok::<(), Error>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub enum Space {
     /// Homogeneous clip space (x, y, z, w): x right, y up, visible where `-w <= x, y <= w` and `0 <= z <= w`.
@@ -240,6 +277,26 @@ pub enum Space {
 }
 
 /// Which faces are left out, decided on snapped positions.
+///
+/// ```
+/// use pineda::*;
+/// // Counter-clockwise on the picture, for y points down here.
+/// let corners = [[0.0, 0.0], [0.0, 64.0], [64.0, 64.0]];
+/// let culled = |cull, front_face| {
+///     let mut pass = Pass::new();
+///     pass.draw_with(
+///         Mesh { vertices: &corners, indices: Indices::Sequential },
+///         DrawState { cull, front_face, space: Space::Raster, ..DrawState::default() },
+///         |&[x, y]| (Vec4::from([x, y, 0.5, 1.0]), ()),
+///         |f| Rgba::gray(f.z()),
+///     );
+///     Ok::<_, Error>(Renderer::new(Settings::default())?.render_counted(&pass, &mut Target::new(64, 64))?[0].culled)
+/// };
+/// assert_eq!(culled(Cull::Back, FrontFace::CounterClockwise)?, 0);
+/// assert_eq!(culled(Cull::Back, FrontFace::Clockwise)?, 1);
+/// assert_eq!(culled(Cull::None, FrontFace::Clockwise)?, 0);
+/// # Ok::<(), Error>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub enum Cull {
     /// None: both faces are drawn.
@@ -251,7 +308,7 @@ pub enum Cull {
     Back,
 }
 
-/// Which winding is the front, as seen on the picture.
+/// Which winding is the front, as seen on the picture; with an example at [`Cull`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub enum FrontFace {
     /// Counter-clockwise, as in glTF and OpenGL.
@@ -262,6 +319,29 @@ pub enum FrontFace {
 }
 
 /// The depth test: a fragment passes if `compare(its depth, the target's depth)`, and then replaces it if `write`.
+///
+/// Reversed z, for which 1 is near, so that floats are finest far away:
+///
+/// ```
+/// use pineda::*;
+/// let layers = [0.25, 0.75, 0.5].map(|z| [[0.0, 0.0, z, 1.0], [0.0, 64.0, z, 1.0], [64.0, 64.0, z, 1.0]]);
+/// let nearer = DepthState { compare: Compare::Greater, write: true };
+/// let mut pass = Pass::new();
+/// pass.clear_depth = Some(0.0);
+/// for corners in &layers {
+///     pass.draw_with(
+///         Mesh { vertices: &corners[..], indices: Indices::Sequential },
+///         DrawState { depth: nearer, space: Space::Raster, ..DrawState::default() },
+///         |&corner: &[f32; 4]| (corner.into(), ()),
+///         |f| Rgba::gray(f.z()),
+///     );
+/// }
+/// let mut depth = vec![0.0; 64 * 64];
+/// let mut target = Target { depth: DepthBuffer::D32F(&mut depth), ..Target::new(64, 64) };
+/// Renderer::new(Settings::default())?.render(&pass, &mut target)?;
+/// assert_eq!((depth[63 * 64], depth[63]), (0.75, 0.0));
+/// # Ok::<(), Error>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct DepthState {
     /// The comparison.
@@ -316,7 +396,7 @@ impl DepthBias {
     }
 }
 
-/// A comparison of a fragment's depth with the one that is there.
+/// A comparison of a fragment's depth with the one that is there, or of a [stencil](crate::StencilFace) reference; with an example at [`DepthState`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Default)]
 pub enum Compare {
     /// Nothing passes.

@@ -38,6 +38,15 @@ pub(crate) struct SamplePacket {
     pub(crate) is_first: bool,
 }
 
+impl SamplePacket {
+    /// How many samples show these fragments.
+    pub(crate) fn samples(&self, tile: &Tile, view: &TileView) -> u64 {
+        let planes = (0..view.samples.count()).map(|sample| &tile.id[self.block as usize + view.plane(sample)]);
+        let shows = |ids: &[u32; 16], lane: usize| self.mask >> lane & 1 != 0 && ids[lane] == self.ids[lane];
+        planes.map(|ids| (0..16).filter(|&lane| shows(ids, lane)).count() as u64).sum()
+    }
+}
+
 /// Fragments of several blocks of the tile, put together to a full packet: most pixels show one triangle, and packets of what else they show would have few
 /// lanes each.
 #[derive(Clone, Copy, Default)]

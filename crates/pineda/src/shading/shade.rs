@@ -78,6 +78,7 @@ impl Shading<'_> {
         if let Some(counted) = self.counted.as_deref_mut().filter(|_| !self.view.is_border(block)) {
             counted.fragments_shaded += u64::from(fragments);
             counted.samples_passed += u64::from(samples);
+            counted.samples_written += u64::from(samples);
         }
     }
 }

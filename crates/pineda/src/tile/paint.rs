@@ -261,13 +261,17 @@ impl Painter {
             _ => dispatch!(level, s => visibility::<_, _, true>(s, &area, tile, test, counted_in)),
         };
         if let Some(draw) = segment.draw {
-            self.counts(draw).samples_passed += passed;
+            let counts = self.counts(draw);
+            counts.samples_passed += passed;
+            // Of the others only what is visible in the end.
+            counts.samples_written += if segment.kind == SegmentKind::DepthOnly { passed } else { 0 };
         }
     }
 
     /// Shades every sample of the visibility buffer, draw by draw.
     fn shade_visible(&mut self, painting: &Painting<'_>, view: &TileView) {
-        if !painting.wants.any_color() {
+        let has_color = painting.wants.any_color();
+        if !has_color && painting.batch.segments.iter().all(|segment| segment.draw.is_none()) {
             return;
         }
         if !painting.samples.is_one() {
@@ -282,6 +286,15 @@ impl Painter {
         }
         for packets in self.visible.chunk_by(|a, b| a.run == b.run) {
             let run = packets[0].run as usize;
+            if let Some(draw) = painting.batch.segments[painting.batch.runs[run].segment].draw {
+                let samples = packets.iter().map(|packet| u64::from(packet.mask.count_ones())).sum::<u64>();
+                let counts = draws_entry(&mut self.draws, draw);
+                counts.samples_written += samples;
+                counts.fragments_shaded += if has_color { samples } else { 0 };
+            }
+            if !has_color {
+                continue;
+            }
             let mut shading = Shading {
                 level: painting.level,
                 call: &*painting.draws[painting.batch.runs[run].draw],
@@ -296,10 +309,6 @@ impl Painter {
                 counted: None,
             };
             dispatch!(painting.level, s => shade_visible(s, &mut shading, packets));
-            if painting.batch.segments[painting.batch.runs[run].segment].draw.is_some() {
-                let fragments: u32 = packets.iter().map(|packet| packet.mask.count_ones()).sum();
-                draws_entry(&mut self.draws, painting.batch.runs[run].draw).fragments_shaded += u64::from(fragments);
-            }
         }
     }
 
@@ -316,6 +325,19 @@ impl Painter {
         for packets in visible.chunk_by(|a, b| a.run == b.run) {
             let run = &batch.runs[packets[0].run as usize];
             let segment = &batch.segments[run.segment];
+            if let Some(draw) = segment.draw {
+                let counts = draws_entry(&mut self.draws, draw);
+                for packet in packets {
+                    let fragments = u64::from(packet.mask.count_ones());
+                    let samples =
+                        if is_by_sample(packet.run as usize) { fragments } else { packet.samples(&self.tile, view) };
+                    counts.samples_written += samples;
+                    counts.fragments_shaded += if painting.wants.any_color() { fragments } else { 0 };
+                }
+            }
+            if !painting.wants.any_color() {
+                continue;
+            }
             let mut shading = Shading {
                 level: painting.level,
                 call: &*painting.draws[run.draw],
@@ -330,10 +352,6 @@ impl Painter {
                 counted: None,
             };
             dispatch!(painting.level, s => shade_visible_samples(s, &mut shading, packets, segment.depth));
-            if segment.draw.is_some() {
-                let fragments: u32 = packets.iter().map(|packet| packet.mask.count_ones()).sum();
-                draws_entry(&mut self.draws, run.draw).fragments_shaded += u64::from(fragments);
-            }
         }
         self.visible_samples = visible;
     }
