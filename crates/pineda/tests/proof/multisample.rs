@@ -408,7 +408,7 @@ fn bits(colors: &[[f32; 4]]) -> Vec<u32> {
 #[test]
 fn what_is_loaded_goes_to_all_samples() {
     let (mut pixels, mut depth): (Vec<[u8; 4]>, Vec<f32>) =
-        ((0..256u32).map(|k| (k * 0x0101_0307).to_le_bytes()).collect(), (0..256).map(|k| k as f32 / 256.0).collect());
+        ((0..256u32).map(|k| k.wrapping_mul(0x0101_0307).to_le_bytes()).collect(), (0..256).map(|k| k as f32 / 256.0).collect());
     let (before, depth_before) = (pixels.clone(), depth.clone());
     let layer = [[0.0f32, 0.0, 1.0, 1.0], [0.0, 32.0, 1.0, 1.0], [32.0, 0.0, 1.0, 1.0]]
         .map(|position| ProbeVertex { position, ..ProbeVertex::default() });
