@@ -3,6 +3,7 @@
 pub(crate) mod assembly;
 mod blend;
 mod colors;
+mod conservative;
 pub(crate) mod draw_call;
 mod input;
 mod memory;
@@ -18,6 +19,7 @@ mod validate;
 
 pub use blend::{Blend, BlendComponent, BlendFactor, BlendOperation, ColorMask};
 pub use colors::{ClearColor, ColorOps, ColorState, Load, Store};
+pub use conservative::Conservative;
 pub use polygon_mode::{MAX_LINE_WIDTH, MAX_POINT_SIZE, PolygonMode};
 pub use primitives::{Indices, Instanced, PrimitiveTopology, ProvokingVertex};
 pub use render::Renderer;

@@ -91,7 +91,10 @@ impl TriangleCache {
         let (x, y) = ([a[0] as i32, b[0] as i32, c[0] as i32], [a[1] as i32, b[1] as i32, c[1] as i32]);
         let wide = |from: i32, to: i32| i64::from(to) - i64::from(from);
         let area = wide(x[0], x[1]) * wide(y[0], y[2]) - wide(x[0], x[2]) * wide(y[0], y[1]);
-        let Ok(area) = i32::try_from(area) else {
+        // Half a pixel outside, an edge function may be below 0 or above the area by half of what it gains a pixel right and a pixel down.
+        let sides = |v: [i32; 3]| wide(v[0], v[1]).abs() + wide(v[1], v[2]).abs() + wide(v[2], v[0]).abs();
+        let beyond = if run.is_conservative { i64::from(HALF_PIXEL) * (sides(x) + sides(y)) } else { 0 };
+        let Some(area) = i32::try_from(area).ok().filter(|_| area + beyond <= i64::from(i32::MAX)) else {
             self.ids[slot(id)] = !id;
             return;
         };

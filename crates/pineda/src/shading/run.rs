@@ -61,6 +61,8 @@ pub(crate) struct RunView<'a> {
     pub(crate) projection: &'a Projection,
     pub(crate) front_is_clockwise: bool,
     pub(crate) provoking: ProvokingVertex,
+    /// Whether triangles may cover pixels with centres outside of them.
+    pub(crate) is_conservative: bool,
     /// If it is of lines or points.
     pub(crate) strokes: Option<StrokeView<'a>>,
 }

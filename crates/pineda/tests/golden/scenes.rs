@@ -1,5 +1,6 @@
 //! The golden scenes.
 
+use crate::conservative;
 use crate::looks::{BlinnPhong, CutOpen, Gouraud, Holes, Stripes};
 use crate::primitives::{self, Facets, Row, Sprite, Sprites};
 use crate::shapes::{Shape, ground, knot, rectangle, slivers, soup};
@@ -112,6 +113,11 @@ pub(crate) fn all() -> Vec<Scene> {
         scene("stencil_operations", stencil_operations()),
         scene("stencil_outline_and_shadow", stencil_outline()),
         Scene { clear: [0.0; 4], ..scene("blend_operations_and_color_masks", blend_operations()) },
+        Scene {
+            width: conservative::SIZE[0],
+            height: conservative::SIZE[1],
+            ..scene("conservative", conservative::three_columns())
+        },
     ]
 }
 
