@@ -85,6 +85,14 @@ impl Visible {
         }
     }
 
+    /// How far in pixels each corner of pixel (i, j) lies inside of each edge, negative outside: a list of the four corners for each edge. `None` if it is seen
+    /// edge-on.
+    pub fn corner_margins(&self, pixel: [i64; 2]) -> Option<Vec<[f64; 4]>> {
+        let rays = self.picture.corner_rays(pixel);
+        let of_edge = |half_plane: &HalfPlane| rays.each_ref().map(|ray| half_plane.distance(ray));
+        self.has_area.then(|| self.half_planes.iter().map(of_edge).collect())
+    }
+
     /// The pixels whose coverage somebody else sees differently, with their [`margin`](Self::margin): those well away from
     /// an edge are wrong, the others only worth counting.
     pub fn disagreements(&self, covered: &[bool]) -> Vec<([i64; 2], f64)> {
@@ -124,6 +132,13 @@ impl Picture {
     fn ray(self, [i, j]: [i64; 2]) -> Vector {
         let [width, height] = [i64::from(self.width), i64::from(self.height)];
         [(2 * i + 1 - width) * height, (height - 2 * j - 1) * width, width * height].map(IBig::from)
+    }
+
+    /// The same of a pixel's corners.
+    fn corner_rays(self, [i, j]: [i64; 2]) -> [Vector; 4] {
+        let [width, height] = [i64::from(self.width), i64::from(self.height)];
+        [[i, j], [i + 1, j], [i + 1, j + 1], [i, j + 1]]
+            .map(|[i, j]| [(2 * i - width) * height, (height - 2 * j) * width, width * height].map(IBig::from))
     }
 
     fn pixels(self) -> impl Iterator<Item = [i64; 2]> {

@@ -108,6 +108,13 @@ impl Drawing {
         }
     }
 
+    /// Takes over a pixel from another drawing.
+    pub(crate) fn take(&mut self, other: &Self, at: usize) {
+        (self.color[at], self.depth[at], self.hits[at]) = (other.color[at], other.depth[at], other.hits[at]);
+        (self.triangle_ids[at], self.instance_ids[at]) = (other.triangle_ids[at], other.instance_ids[at]);
+        (self.draw_ids[at], self.barycentrics[at]) = (other.draw_ids[at], other.barycentrics[at]);
+    }
+
     /// The first pixel where two drawings are not the same bits, in words.
     pub fn difference(&self, other: &Self) -> Option<String> {
         let bits = |d: &Self, at: usize| -> (Vec<u32>, Vec<u32>, Vec<u32>) {

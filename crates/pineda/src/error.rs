@@ -68,6 +68,14 @@ pub enum Error {
         /// The largest that can be drawn.
         most: u32,
     },
+    /// [Conservative](crate::Conservative) lines or points, or edges or corners of triangles.
+    #[error(
+        "draw {draw}: only filled triangles are rasterized conservatively; switch `conservative` off, or draw triangles with `PolygonMode::Fill`"
+    )]
+    ConservativeStrokes {
+        /// The draw's number in its pass, from 0.
+        draw: usize,
+    },
     /// [`primitive_restart`](crate::DrawState::primitive_restart) for a list of triangles, lines or points.
     #[error(
         "draw {draw}: a list has nothing to restart; switch `primitive_restart` off, or draw a strip, a fan or a loop"

@@ -70,7 +70,8 @@
 //! in many [instances](Pass::draw_instanced). The same triangles are the same bits, whichever way they are given.
 //!
 //! Lines are one pixel wide by the diamond exit rule, [wide](DrawState::line_width) or [smooth](DrawState::smooth_lines), points of
-//! [any size](DrawState::point_size); triangles are drawn as their [edges or corners](PolygonMode), if one likes.
+//! [any size](DrawState::point_size); triangles are drawn as their [edges or corners](PolygonMode), if one likes, and cover by their pixels' centres or
+//! [conservatively](Conservative).
 //!
 //! # What comes out
 //!
@@ -108,10 +109,10 @@ mod wide;
 pub use depth_pyramid::DepthPyramid;
 pub use error::Error;
 pub use pass::{
-    Blend, BlendComponent, BlendFactor, BlendOperation, ClearColor, ColorMask, ColorOps, ColorState, Compare, Cull,
-    DepthBias, DepthState, DrawState, DrawStatistics, FrontFace, Indices, Instanced, Load, MAX_LINE_WIDTH,
-    MAX_POINT_SIZE, Mesh, Pass, PolygonMode, PrimitiveTopology, ProvokingVertex, Renderer, Sampling, Scissor, Space,
-    Statistics, StencilFace, StencilOperation, StencilState, Store, Viewport,
+    Blend, BlendComponent, BlendFactor, BlendOperation, ClearColor, ColorMask, ColorOps, ColorState, Compare,
+    Conservative, Cull, DepthBias, DepthState, DrawState, DrawStatistics, FrontFace, Indices, Instanced, Load,
+    MAX_LINE_WIDTH, MAX_POINT_SIZE, Mesh, Pass, PolygonMode, PrimitiveTopology, ProvokingVertex, Renderer, Sampling,
+    Scissor, Space, Statistics, StencilFace, StencilOperation, StencilState, Store, Viewport,
 };
 pub use raster::samples::Samples;
 pub use settings::{Settings, Simd, TileSize, UnknownSimd};

@@ -8,7 +8,7 @@ use super::assembly::Assembly;
 use super::draw_call::DrawCall;
 use super::strokes::{self, RECORDS_EACH, StrokeRun};
 use super::validate::DrawExtent;
-use super::{Compare, DepthState, DrawState, Indices, Pass, Scissor, Viewport};
+use super::{Compare, Conservative, DepthState, DrawState, Indices, Pass, Scissor, Viewport};
 use crate::Target;
 use crate::geometry::project::Projection;
 use crate::raster::corners::Corners;
@@ -22,7 +22,7 @@ use std::ops::Range;
 /// Bytes that a triangle takes in records and bins for each sample of a pixel, about; and in the list of those that are assembled.
 const TRIANGLE_BYTES: usize = 56;
 const ASSEMBLED_BYTES: usize = 12;
-/// Bytes that a line or point takes there, about: as many records as most have.
+/// Bytes that a line, a point or a conservative triangle takes there, about: as many records as most have.
 const STROKE_BYTES: usize = 160;
 /// Bytes of a screen vertex.
 const SCREEN_VERTEX_BYTES: usize = 16;
@@ -266,6 +266,7 @@ fn piece<'p>(
     let stroke_bytes = size_of::<Stroke>() + RECORDS_EACH * 16 * call.record_rows();
     let triangle_bytes = match strokes::shape(call.state()) {
         Some(_) => strokes::numbers_each(call.state()) * (stroke_bytes + STROKE_BYTES * samples.count()),
+        None if call.state().conservative != Conservative::Off => STROKE_BYTES * samples.count(),
         None => TRIANGLE_BYTES * samples.count(),
     };
     let triangle_bytes = triangle_bytes + if is_assembled { ASSEMBLED_BYTES } else { 0 };

@@ -8,10 +8,11 @@ use super::memory::{grow, uses_stencil, with_own};
 use super::plan::{Batch, Geometry, Plan, Run, plan};
 use super::strokes::{Expansion, RECORDS_EACH, StrokeRun};
 use super::validate::{DrawExtent, validate};
-use super::{Cull, DrawStatistics, FrontFace, Pass, ProvokingVertex, Statistics};
+use super::{Conservative, Cull, DrawStatistics, FrontFace, Pass, ProvokingVertex, Statistics};
 use crate::geometry::clip::ClipTriangle;
 use crate::geometry::raster_space::ScreenVertex;
 use crate::raster::bins::{Share, TileGrid};
+use crate::raster::conservative::set_up_conservative;
 use crate::raster::corners::Corners;
 use crate::raster::depth_bias::Bias;
 use crate::raster::samples::SampleSet;
@@ -352,7 +353,12 @@ impl Renderer {
                 share.start_segment(run.segment);
                 let (range, screen) = (start..end - run.first_number, &screen[run.screen.clone()]);
                 let before = share.statistics;
-                set_up_triangles(level, &state, &corners, screen, range, run.first_number, share);
+                match call.state().conservative {
+                    Conservative::Off => {
+                        set_up_triangles(level, &state, &corners, screen, range, run.first_number, share);
+                    }
+                    mode => set_up_conservative(mode, &state, &corners, screen, range, run.first_number, share),
+                }
                 if counts {
                     share.count(run.draw, &before);
                 }

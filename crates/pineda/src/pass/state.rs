@@ -1,6 +1,8 @@
 //! The fixed-function settings of a draw: plain structs with defaults.
 
-use super::{Blend, ColorMask, ColorState, PolygonMode, PrimitiveTopology, ProvokingVertex, Sampling, StencilState};
+use super::{
+    Blend, ColorMask, ColorState, Conservative, PolygonMode, PrimitiveTopology, ProvokingVertex, Sampling, StencilState,
+};
 
 /// Everything about a draw that is not its shader or its mesh.
 ///
@@ -16,6 +18,8 @@ pub struct DrawState {
     pub topology: PrimitiveTopology,
     /// What is drawn of triangles: all of them, their edges, or their corners.
     pub polygon_mode: PolygonMode,
+    /// Whether triangles cover every pixel that they touch, or only those that they cover whole.
+    pub conservative: Conservative,
     /// Pixels across a line, 1 to [`MAX_LINE_WIDTH`](crate::MAX_LINE_WIDTH).
     ///
     /// A line of width 1 is drawn by the *diamond exit* rule: of the pixels around whose centres there is a diamond, |dx| + |dy| < 1/2, it covers those
@@ -214,6 +218,7 @@ impl DrawState {
         space: Space::Clip,
         topology: PrimitiveTopology::TriangleList,
         polygon_mode: PolygonMode::Fill,
+        conservative: Conservative::Off,
         line_width: 1.0,
         smooth_lines: false,
         point_size: 1.0,

@@ -115,34 +115,46 @@ fn careful<S: Simd>(
     number: usize,
     share: &mut Share,
 ) {
+    let Some((clipped, offset)) = clipped(state, places, screen, share) else { return };
+    s.vectorize(
+        #[inline(always)]
+        || emit_clipped(s, state, &clipped, offset, number, share),
+    );
+}
+
+/// What is left of a triangle with a vertex off the raster, and the offset of its depths. `None` if it is dropped or culled, or if nothing is left of it; which is
+/// counted.
+pub(crate) fn clipped(
+    state: &SetupState<'_>,
+    places: [usize; 3],
+    screen: &[ScreenVertex],
+    share: &mut Share,
+) -> Option<(Clipped, f32)> {
     let vertices = places.map(|k| screen[k]);
     let codes = vertices.map(ScreenVertex::outcode);
     if (codes[0] | codes[1] | codes[2]) & outcode::NON_FINITE != 0 {
         share.statistics.non_finite += 1;
-        return;
+        return None;
     }
     if codes[0] & codes[1] & codes[2] != 0 {
         share.statistics.outside += 1;
-        return;
+        return None;
     }
     share.statistics.clipped += 1;
     let triangle = (state.vertices)(places);
     let Some(clipped) = clip(state.projection, &triangle, vertices) else {
         share.degenerate += u64::from(state.counts);
-        return;
+        return None;
     };
     if if clipped.is_clockwise { state.cull_clockwise } else { state.cull_counter_clockwise } {
         share.culled += u64::from(state.counts);
-        return;
+        return None;
     }
     let offset = state.bias.map_or(0.0, |bias| {
         let depths: Vec<f32> = clipped.triangles().as_flattened().iter().map(|v| v.z()).collect();
         bias.offset_of_clipped(state.projection, triangle.positions, &depths)
     });
-    s.vectorize(
-        #[inline(always)]
-        || emit_clipped(s, state, &clipped, offset, number, share),
-    );
+    Some((clipped, offset))
 }
 
 #[inline(always)]

@@ -13,7 +13,7 @@ use super::shade::{How, OrderedPacket, Shading, channels, contains, keep, merge_
 use super::stencil::Tests;
 use crate::geometry::raster_space::SUBPIXELS;
 use crate::pass::plan::{Batch, DepthRule};
-use crate::pass::{ColorMask, Sampling};
+use crate::pass::{ColorMask, Conservative, DrawState, Sampling};
 use crate::raster::triangle_id::{CLIPPED_CLOCKWISE, ORDER_BITS, TriangleId};
 use crate::shading::OutputKind;
 use crate::target::format::{ColorFormat, TileColor};
@@ -87,7 +87,8 @@ impl Gathered {
         let new = shading.batch.add();
         (new.block, new.alive, new.x, new.y, new.ids) = (0, mask, shading.view.x, shading.view.y, self.ids);
         shading.batch.shift(Moved::Gathered, offsets);
-        if shading.call.state().sampling == Sampling::Centroid {
+        let DrawState { sampling, conservative, .. } = shading.call.state();
+        if *sampling == Sampling::Centroid && *conservative == Conservative::Off {
             shading.batch.find_centroids(mask, shading.view.samples);
         }
         self.count = 0;
@@ -349,7 +350,8 @@ fn move_off_centers<S: Simd>(
 ) {
     let samples = shading.view.samples;
     match shading.call.state().sampling {
-        Sampling::Centroid if border != 0 => {
+        // What covers pixels as wholes covers their centres.
+        Sampling::Centroid if border != 0 && shading.call.state().conservative == Conservative::Off => {
             if layout.is_plain && clipped(s, ids, border) == 0 && shading.run.strokes.is_none() {
                 return shading.batch.find_centroids(border, samples);
             }

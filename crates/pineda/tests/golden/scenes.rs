@@ -1,5 +1,6 @@
 //! The golden scenes.
 
+use crate::conservative;
 use crate::looks::{BlinnPhong, CutOpen, Gouraud, Holes, Stripes};
 use crate::multisample;
 use crate::primitives::{self, Facets, Row, Sprite, Sprites};
@@ -132,6 +133,11 @@ pub(crate) fn all() -> Vec<Scene> {
             ..scene("clipped_discarded_and_blended_samples", multisampled_mix())
         },
         Scene { samples: Samples::Four, ..scene("stencil_of_4_samples", stencil_outline()) },
+        Scene {
+            width: conservative::SIZE[0],
+            height: conservative::SIZE[1],
+            ..scene("conservative", conservative::three_columns())
+        },
     ]
 }
 

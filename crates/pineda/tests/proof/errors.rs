@@ -142,6 +142,23 @@ fn lists_are_not_restarted() {
 }
 
 #[test]
+fn only_filled_triangles_are_conservative() {
+    for conservative in [Conservative::Overestimate, Conservative::Underestimate] {
+        let state = DrawState { conservative, ..DrawState::default() };
+        let wrong = [
+            DrawState { topology: PrimitiveTopology::LineStrip, ..state },
+            DrawState { topology: PrimitiveTopology::PointList, ..state },
+            DrawState { polygon_mode: PolygonMode::Line, ..state },
+            DrawState { polygon_mode: PolygonMode::Point, ..state },
+        ];
+        for state in wrong {
+            let error = error_in(state, Indices::Sequential, &CORNERS);
+            assert_eq!(error, Error::ConservativeStrokes { draw: 1 });
+        }
+    }
+}
+
+#[test]
 fn instances_are_counted_in_32_bits() {
     let mut pass = Pass::new();
     let mesh = Mesh { vertices: &CORNERS, indices: Indices::Sequential };

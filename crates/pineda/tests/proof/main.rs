@@ -2,6 +2,7 @@
 
 mod clip_distances;
 mod color_errors;
+mod conservative;
 mod coverage;
 mod encodings;
 mod errors;

@@ -407,8 +407,10 @@ fn bits(colors: &[[f32; 4]]) -> Vec<u32> {
 /// A pixel of one value is one of as many samples of that value.
 #[test]
 fn what_is_loaded_goes_to_all_samples() {
-    let (mut pixels, mut depth): (Vec<[u8; 4]>, Vec<f32>) =
-        ((0..256u32).map(|k| k.wrapping_mul(0x0101_0307).to_le_bytes()).collect(), (0..256).map(|k| k as f32 / 256.0).collect());
+    let (mut pixels, mut depth): (Vec<[u8; 4]>, Vec<f32>) = (
+        (0..256u32).map(|k| k.wrapping_mul(0x0101_0307).to_le_bytes()).collect(),
+        (0..256).map(|k| k as f32 / 256.0).collect(),
+    );
     let (before, depth_before) = (pixels.clone(), depth.clone());
     let layer = [[0.0f32, 0.0, 1.0, 1.0], [0.0, 32.0, 1.0, 1.0], [32.0, 0.0, 1.0, 1.0]]
         .map(|position| ProbeVertex { position, ..ProbeVertex::default() });
@@ -461,6 +463,32 @@ fn fragments_are_counted_once_a_pixel() {
             // The diagonal goes through four pixels, each of which both triangles share.
             let counted = (draw.fragments_shaded, draw.samples_passed, draw.samples_written);
             assert_eq!(counted, (shaded, 64, 64), "{sampling:?}");
+        }
+    }
+}
+
+/// What is touched, or covered whole, is a pixel: all of its samples, shaded at its centre.
+#[test]
+fn conservative_triangles_cover_all_samples_of_a_pixel() {
+    let mut renderers = Renderers::default();
+    for seed in 0..if cfg!(debug_assertions) { 20 } else { 200 } {
+        let mut random = Random::new(seed ^ 0xc025);
+        let mut layers = layers(&mut random, 1, 1);
+        let conservative = random.pick(&[Conservative::Overestimate, Conservative::Underestimate]);
+        layers[0].state = DrawState { conservative, space: Space::Raster, ..DrawState::default() };
+        let samples = SEVERAL[seed as usize % 4];
+        let picture = draw(renderers.nth(seed), &layers, Samples::One);
+        let drawing = draw(renderers.nth(seed + 1), &layers, samples);
+        for sample in 0..samples.count() {
+            let of_sample = drawing.sample(sample);
+            assert_eq!(of_sample.hits, picture.hits, "seed {seed}");
+            // Each sample is tested at its own depth, which may lie beyond the range's end where the centre's does not.
+            for (at, &id) in of_sample.triangle_ids.iter().enumerate().filter(|(_, id)| **id != NO_ID) {
+                if picture.triangle_ids[at] == id {
+                    let colors = [of_sample.color[at], picture.color[at]].map(|color| color.map(f32::to_bits));
+                    assert_eq!(colors[0], colors[1], "seed {seed}, pixel {at}");
+                }
+            }
         }
     }
 }
