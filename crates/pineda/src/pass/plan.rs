@@ -367,8 +367,10 @@ impl<'p> Batch<'p> {
         let whole = PixelRect { x0: 0, y0: 0, x1: width as i32, y1: height as i32 };
         let kind = kind(state, call.discards(), call.outputs().kinds.len(), self.runs.len());
         let depth = DepthRule::new(state.depth.compare, &viewport);
-        let segment =
-            Segment { kind, depth, draw: self.counts.then_some(draw), rect: Some(rect).filter(|&rect| rect != whole) };
+        // Blocks of 4 x 4 pixels may reach over the border, where nothing may be counted.
+        let cuts_blocks = !width.is_multiple_of(4) || !height.is_multiple_of(4);
+        let rect_counts = rect != whole || (self.counts && cuts_blocks);
+        let segment = Segment { kind, depth, draw: self.counts.then_some(draw), rect: rect_counts.then_some(rect) };
         if self.segments.last() != Some(&segment) {
             self.segments.push(segment);
         }

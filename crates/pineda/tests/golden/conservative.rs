@@ -88,7 +88,7 @@ fn viewport(x: f32) -> Viewport {
 /// Two that go on behind the eye, and share the edge there.
 fn near_plane() -> Vec<Vertex> {
     let at = |x: f32, y: f32, w: f32| [x, y, w - 0.5, w];
-    let [a, b, c, d] = [at(-0.9, 0.9, 1.0), at(2.3, 2.4, 3.0), at(0.6, -1.9, -1.2), at(-1.5, -0.4, 1.0)];
+    let [a, b, c, d] = [at(0.0, 0.8, 1.0), at(0.95, -0.3, 1.0), at(0.2, -5.0, -1.0), at(-0.95, -0.1, 1.0)];
     let half = |corners: [[f32; 4]; 3], color| corners.map(|p| vertex(p, color));
     [half([a, b, c], [0.5, 0.35, 0.1]), half([a, c, d], [0.1, 0.3, 0.5])].concat()
 }

@@ -44,6 +44,29 @@ fn samples_passed_are_those_that_passed() {
     }
 }
 
+/// Blocks of 4 x 4 pixels reach over the border of a picture that four does not divide: once, samples there were counted.
+#[test]
+fn samples_beyond_the_border_are_not_counted() {
+    let (width, height) = (37, 26);
+    for size in [30.0, 400.0] {
+        let vertices = [[20.5, 12.0], [20.5 + size, 12.0], [20.5, 12.0 + size]];
+        for depth in [DepthState::OFF, DepthState::default()] {
+            let mut pass = Pass::new();
+            let mesh = Mesh { vertices: &vertices, indices: Indices::Sequential };
+            let state = DrawState { depth, space: Space::Raster, ..DrawState::default() };
+            pass.draw_with(mesh, state, |&[x, y]: &[f32; 2]| (Vec4::from([x, y, 0.5, 1.0]), ()), |f| Rgba::gray(f.z()));
+            for settings in settings(0) {
+                let mut hits = vec![0; (width * height) as usize];
+                let mut target = Target { hits: Some(&mut hits), ..Target::new(width, height) };
+                let draws =
+                    Renderer::new(settings).expect("available").render_counted(&pass, &mut target).expect("valid");
+                let covered: u64 = hits.iter().map(|&hits| u64::from(hits)).sum();
+                assert_eq!(draws[0].samples_passed, covered, "{size} pixels, {depth:?}");
+            }
+        }
+    }
+}
+
 /// Of opaque draws only what is seen is shaded; of others all that passes.
 #[test]
 fn fragments_shaded_are_those_that_must_be() {
