@@ -73,7 +73,11 @@ impl Vulkan {
                 &device,
                 DEPTH_FORMAT,
                 scene.samples,
-                if scene.output == Output::Depth { wgpu::TextureUsages::COPY_SRC } else { wgpu::TextureUsages::empty() },
+                if scene.output == Output::Depth {
+                    wgpu::TextureUsages::COPY_SRC
+                } else {
+                    wgpu::TextureUsages::empty()
+                },
             ),
             output: scene.output,
             device,

@@ -29,7 +29,14 @@ pub(super) fn layers(order: Order) -> Scene {
         vertices.extend([(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)].map(|(x, y)| corner(layer, x, y)));
         indices.extend([0, 1, 2, 0, 2, 3].map(|corner| first + corner));
     }
-    Scene { vertices, indices, clip_from_world: matrix::IDENTITY, shading: Shading::Gouraud, output: Output::Color, samples: 1 }
+    Scene {
+        vertices,
+        indices,
+        clip_from_world: matrix::IDENTITY,
+        shading: Shading::Gouraud,
+        output: Output::Color,
+        samples: 1,
+    }
 }
 
 fn corner(layer: u32, x: f32, y: f32) -> Vertex {
