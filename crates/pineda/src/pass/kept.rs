@@ -19,8 +19,10 @@ impl KeptTiles {
             let tile = tile.get_mut().unwrap_or_else(PoisonError::into_inner);
             tile.clear();
             let bytes = blocks * size_of::<[u32; 16]>();
-            tile.try_reserve(blocks)
-                .map_err(|_| Error::OutOfMemory { bytes: bytes * tiles, what: "samples between flushes" })?;
+            tile.try_reserve(blocks).map_err(|_| Error::OutOfMemory {
+                bytes: bytes.saturating_mul(tiles),
+                what: "samples between flushes",
+            })?;
         }
         self.is_last = false;
         Ok(())

@@ -27,7 +27,7 @@ pub struct DrawState {
     /// it passes. Ties are decided as if both ends lay a little further left and, far less, further up, as in OpenGL and Vulkan, and as the
     /// top-left rule has it. All of it is done in integers: see `crates/pineda/src/raster/diamond_exit.rs`.
     ///
-    /// A wider one is a rectangle, with ends at right angles where the line ends (Vulkan's rectangular lines), drawn by the rules for triangles.
+    /// A wider one, or any where pixels have [several samples](crate::Target::samples), is a rectangle, with ends at right angles where the line ends (Vulkan's rectangular lines), drawn by the rules for triangles.
     /// Its corners are snapped to 1/256 pixel.
     ///
     /// Along a line, varyings are interpolated between its ends as its distance in perspective, `#[noperspective]` ones and depth as the distance on the picture;

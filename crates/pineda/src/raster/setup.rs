@@ -195,7 +195,7 @@ fn emit<S: Simd>(
     let mut live = asked;
     if state.samples.samples.is_one() {
         // Before anything else: most of the smallest triangles miss all samples.
-        live = live & reach.samples(&state.rect, [0, 0]).has_any();
+        live = live & reach.pixels(&state.rect, [0, 0]).has_any();
     }
 
     let is_large = reach.is_large();
@@ -248,8 +248,8 @@ fn emit<S: Simd>(
     }
     let mut rest = state.samples.mask;
     while let Some(sample) = state.samples.take(&mut rest) {
-        let facts = Facts::new(ids, x, y, z, dz_dx, dz_dy, reach.samples(&state.rect, sample.offset), sample);
-        emit_sample(s, state, &facts, is_large, clipped, live & facts.samples.has_any(), share);
+        let facts = Facts::new(ids, x, y, z, dz_dx, dz_dy, reach.pixels(&state.rect, sample.offset), sample);
+        emit_sample(s, state, &facts, is_large, clipped, live & facts.pixels.has_any(), share);
     }
 }
 
@@ -264,7 +264,7 @@ struct Reach<S: Simd> {
 
 /// The first and the last pixel, across and down, whose sample a triangle may cover.
 #[derive(Clone, Copy)]
-struct Samples<S: Simd> {
+struct Pixels<S: Simd> {
     column0: i32x16<S>,
     column1: i32x16<S>,
     row0: i32x16<S>,
@@ -280,8 +280,8 @@ impl<S: Simd> Reach<S> {
     /// The first sample at or after the left border, the last before the right one: no sample on a right or a bottom border is covered, for
     /// such a border is no top or left edge.
     #[inline(always)]
-    fn samples(&self, rect: &PixelRect, [ox, oy]: [i32; 2]) -> Samples<S> {
-        Samples {
+    fn pixels(&self, rect: &PixelRect, [ox, oy]: [i32; 2]) -> Pixels<S> {
+        Pixels {
             column0: ((self.min_x + (HALF_PIXEL - 1 - ox)) >> SUBPIXEL_BITS).max(rect.x0),
             column1: ((self.max_x - (HALF_PIXEL + 1 + ox)) >> SUBPIXEL_BITS).min(rect.x1 - 1),
             row0: ((self.min_y + (HALF_PIXEL - 1 - oy)) >> SUBPIXEL_BITS).max(rect.y0),
@@ -290,7 +290,7 @@ impl<S: Simd> Reach<S> {
     }
 }
 
-impl<S: Simd> Samples<S> {
+impl<S: Simd> Pixels<S> {
     #[inline(always)]
     fn has_any(&self) -> mask32x16<S> {
         self.column0.simd_le(self.column1) & self.row0.simd_le(self.row1)
@@ -308,7 +308,7 @@ fn emit_sample<S: Simd>(
     live: mask32x16<S>,
     share: &mut Share,
 ) {
-    let Samples { column0, column1, row0, row1 } = facts.samples;
+    let Pixels { column0, column1, row0, row1 } = facts.pixels;
     let (columns, rows) = (column1 - column0, row1 - row0);
     let is_small = columns.simd_lt(SMALL_EXTENT) & rows.simd_lt(SMALL_EXTENT) & live & !is_large;
     let mut small_rows = [[0; 8]; 16];
@@ -369,7 +369,7 @@ struct Facts<S: Simd> {
     z: [f32x16<S>; 3],
     dz_dx: f32x16<S>,
     dz_dy: f32x16<S>,
-    samples: Samples<S>,
+    pixels: Pixels<S>,
     edges: [Edge<S>; 3],
     plane: u32,
 }
@@ -385,19 +385,19 @@ impl<S: Simd> Facts<S> {
         z: [f32x16<S>; 3],
         dz_dx: f32x16<S>,
         dz_dy: f32x16<S>,
-        samples: Samples<S>,
+        pixels: Pixels<S>,
         Sample { plane, offset: [ox, oy] }: Sample,
     ) -> Self {
         let x = [x[0] - ox, x[1] - ox, x[2] - ox];
         let y = [y[0] - oy, y[1] - oy, y[2] - oy];
         let edge = |a: usize, b: usize| Edge { x: x[a], y: y[a], dx: x[b] - x[a], dy: y[b] - y[a] };
-        Self { ids, x, y, z, dz_dx, dz_dy, samples, edges: [edge(0, 1), edge(1, 2), edge(2, 0)], plane }
+        Self { ids, x, y, z, dz_dx, dz_dy, pixels, edges: [edge(0, 1), edge(1, 2), edge(2, 0)], plane }
     }
 
     /// The first sample of the box's first block.
     #[inline(always)]
     fn first_sample(&self) -> (i32x16<S>, i32x16<S>) {
-        (((self.samples.column0 >> 2) << 10) + HALF_PIXEL, ((self.samples.row0 >> 2) << 10) + HALF_PIXEL)
+        (((self.pixels.column0 >> 2) << 10) + HALF_PIXEL, ((self.pixels.row0 >> 2) << 10) + HALF_PIXEL)
     }
 
     /// The words that mid and large records begin with.
@@ -405,8 +405,8 @@ impl<S: Simd> Facts<S> {
     fn head(&self) -> [u32x16<S>; 6] {
         [
             self.ids.bitcast(),
-            (self.samples.column0 | (self.samples.column1 << 16)).bitcast(),
-            (self.samples.row0 | (self.samples.row1 << 16)).bitcast(),
+            (self.pixels.column0 | (self.pixels.column1 << 16)).bitcast(),
+            (self.pixels.row0 | (self.pixels.row1 << 16)).bitcast(),
             self.z[0].bitcast(),
             self.dz_dx.bitcast(),
             self.dz_dy.bitcast(),
@@ -424,11 +424,11 @@ fn small_records<S: Simd>(s: S, facts: &Facts<S>, out: &mut [[u32; 8]; 16]) -> u
         #[inline(always)]
         || {
             let coverage = small_coverage(s, facts);
-            let (left, right) = block_masks(s, coverage, facts.samples.column0 & 3, facts.samples.row0 & 3);
+            let (left, right) = block_masks(s, coverage, facts.pixels.column0 & 3, facts.pixels.row0 & 3);
             let (first_x, first_y) = facts.first_sample();
             *out = transpose8([
                 facts.ids.bitcast(),
-                ((facts.samples.column0 >> 2) | ((facts.samples.row0 >> 2) << 16) | plane_bits(facts.plane)).bitcast(),
+                ((facts.pixels.column0 >> 2) | ((facts.pixels.row0 >> 2) << 16) | plane_bits(facts.plane)).bitcast(),
                 left.bitcast(),
                 right.bitcast(),
                 facts.z[0].bitcast(),
@@ -590,7 +590,7 @@ impl<S: Simd> Edge<S> {
 /// Coverage of the 4 x 4 samples from (column0, row0) on: bit 4 j + i is sample (i, j).
 #[inline(always)]
 fn small_coverage<S: Simd>(s: S, facts: &Facts<S>) -> i32x16<S> {
-    let (edges, Samples { column0, column1, row0, row1 }) = (&facts.edges, facts.samples);
+    let (edges, Pixels { column0, column1, row0, row1 }) = (&facts.edges, facts.pixels);
     let (columns, rows) = (column1 - column0, row1 - row0);
     let (x, y) = ((column0 << 8) + HALF_PIXEL, (row0 << 8) + HALF_PIXEL);
     let [mut e0, mut e1, mut e2] = [edges[0].at(x, y), edges[1].at(x, y), edges[2].at(x, y)];

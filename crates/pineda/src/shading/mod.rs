@@ -228,6 +228,7 @@ pub(crate) mod multisample;
 mod over;
 pub(crate) mod packet;
 pub(crate) mod run;
+pub(crate) mod sample_packets;
 pub(crate) mod shade;
 pub(crate) mod single;
 pub(crate) mod stencil;

@@ -159,7 +159,8 @@ impl Target<'_> {
         }
         let more_colors = self.more_colors.iter().map(|color| ("more_colors", color.length()));
         for (buffer, length) in buffers.into_iter().chain(more_colors) {
-            let is_right = |length: usize| length == expected || length == expected * self.samples.count();
+            let of_all_samples = expected.checked_mul(self.samples.count());
+            let is_right = |length: usize| length == expected || Some(length) == of_all_samples;
             if let Some(length) = length.filter(|&length| !is_right(length)) {
                 let samples = self.samples.count();
                 return Err(Error::BufferLength { buffer, length, expected, width, height, samples });
