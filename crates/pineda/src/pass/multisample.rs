@@ -13,7 +13,7 @@
 ///     pass.draw_with(
 ///         Mesh { vertices: &corners, indices: Indices::Sequential },
 ///         DrawState { sampling, space: Space::Raster, ..DrawState::default() },
-///         |&[x, y]| (Vec4::from([x, y, 0.0, 1.0]), Real(x)),
+///         |&[x, y]| (Vec4::from([x, y, 0.0, 1.0]), Real::from(x)),
 ///         |f| { let x = f.varyings(); Rgba::opaque(Vec3::new(x, x, x)) },
 ///     );
 ///     let mut pixels = vec![[0.0; 4]; 4 * 8 * 8];

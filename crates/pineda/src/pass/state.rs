@@ -197,7 +197,7 @@ pub struct DrawState {
     ///     Mesh { vertices: &corners, indices: Indices::Sequential },
     ///     DrawState { alpha_to_coverage: true, space: Space::Raster, ..DrawState::default() },
     ///     |&[x, y]| (Vec4::from([x, y, 0.0, 1.0]), ()),
-    ///     |f| f.splat([1.0, 1.0, 1.0, 0.5]).into(),
+    ///     |f| Rgba::from(f.splat([1.0, 1.0, 1.0, 0.5])),
     /// );
     /// let mut pixels = [[0.0; 4]; 1];
     /// let mut target = Target { samples: Samples::Four, color: ColorBuffer::Rgba32F(&mut pixels), ..Target::new(1, 1) };

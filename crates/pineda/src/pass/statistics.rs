@@ -7,9 +7,10 @@ use super::PrimitiveTopology;
 /// let inside = [[-1.0, 1.0, 0.5], [-1.0, -1.0, 0.5], [1.0, -1.0, 0.5]];
 /// let beyond = inside.map(|[x, y, _]| [x, y, 2.0]);
 /// let broken = inside.map(|[x, y, _]| [x, y, f32::NAN]);
+/// let triangles = [inside, beyond, broken];
 /// let mut pass = Pass::new();
 /// pass.draw_with(
-///     Mesh { vertices: [inside, beyond, broken].as_flattened(), indices: Indices::Sequential },
+///     Mesh { vertices: triangles.as_flattened(), indices: Indices::Sequential },
 ///     DrawState::default(),
 ///     |&[x, y, z]| (Vec4::from([x, y, z, 1.0]), ()),
 ///     |f| Rgba::gray(f.z()),
