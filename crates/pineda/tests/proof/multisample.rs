@@ -44,7 +44,7 @@ fn layers(random: &mut Random, count: usize, triangles: usize) -> Vec<Layer> {
 #[test]
 fn every_sample_is_covered_as_the_oracle_says() {
     let mut renderers = Renderers::default();
-    let count = if cfg!(debug_assertions) { 1200 } else { 12_000 };
+    let count = if cfg!(debug_assertions) { 1200 } else { 6_000 };
     for (n, seed) in (0..count).enumerate() {
         let case = Case::from_seed(seed);
         if case.space != CaseSpace::Raster {
@@ -67,7 +67,7 @@ fn every_sample_is_covered_as_the_oracle_says() {
 #[test]
 fn shaded_by_sample_a_pixel_is_as_many_pictures_of_the_moved_scene() {
     let mut renderers = Renderers::default();
-    for seed in 0..if cfg!(debug_assertions) { 40 } else { 400 } {
+    for seed in 0..if cfg!(debug_assertions) { 40 } else { 160 } {
         let mut random = Random::new(seed);
         let mut layers = layers(&mut random, 3, 30);
         for layer in &mut layers {
@@ -113,7 +113,7 @@ impl Shader for Flat {
 #[test]
 fn what_is_flat_does_not_depend_on_where_fragments_are_shaded() {
     let mut renderers = Renderers::default();
-    for seed in 0..if cfg!(debug_assertions) { 40 } else { 400 } {
+    for seed in 0..if cfg!(debug_assertions) { 40 } else { 160 } {
         let mut random = Random::new(seed ^ 0xf1a7);
         let mut layers = layers(&mut random, 3, 25);
         for layer in &mut layers {
@@ -159,7 +159,7 @@ fn what_is_flat_does_not_depend_on_where_fragments_are_shaded() {
 fn a_pixel_is_shaded_at_its_centre_or_at_the_lowest_sample_that_is_covered() {
     let mut renderers = Renderers::default();
     let renderer = renderers.nth(5);
-    for seed in 0..if cfg!(debug_assertions) { 6 } else { 40 } {
+    for seed in 0..if cfg!(debug_assertions) { 6 } else { 20 } {
         let mut random = Random::new(seed ^ 0xce27);
         let mut layers = layers(&mut random, 1, 12);
         let layer = &mut layers[0];
@@ -197,7 +197,7 @@ fn a_pixel_is_shaded_at_its_centre_or_at_the_lowest_sample_that_is_covered() {
 
 #[test]
 fn several_flushes_of_samples_are_the_same_bits_as_one() {
-    for seed in 0..if cfg!(debug_assertions) { 3 } else { 12 } {
+    for seed in 0..if cfg!(debug_assertions) { 3 } else { 4 } {
         let mut random = Random::new(seed ^ 0xf105);
         // More than fit the least memory that a batch is made for.
         let mut layers = layers(&mut random, 4, [2000, 1400, 800, 400][seed as usize % 4]);
