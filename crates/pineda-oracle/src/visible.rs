@@ -85,11 +85,11 @@ impl Visible {
         }
     }
 
-    /// How far in pixels each corner of pixel (i, j) lies inside of each edge, negative outside: a list of the four corners for each edge. `None` if it is seen
-    /// edge-on.
-    pub fn corner_margins(&self, pixel: [i64; 2]) -> Option<Vec<[f64; 4]>> {
-        let rays = self.picture.corner_rays(pixel);
-        let of_edge = |half_plane: &HalfPlane| rays.each_ref().map(|ray| half_plane.distance(ray));
+    /// How far in pixels each corner of a pixel lies inside of each edge, negative outside: for each edge the corners of the whole picture, row by row from the top, one more
+    /// in a row than pixels. `None` if it is seen edge-on.
+    pub fn corner_margins(&self) -> Option<Vec<Vec<f64>>> {
+        let rays: Vec<Vector> = self.picture.corner_rays().collect();
+        let of_edge = |half_plane: &HalfPlane| rays.iter().map(|ray| half_plane.distance(ray)).collect();
         self.has_area.then(|| self.half_planes.iter().map(of_edge).collect())
     }
 
@@ -134,11 +134,12 @@ impl Picture {
         [(2 * i + 1 - width) * height, (height - 2 * j - 1) * width, width * height].map(IBig::from)
     }
 
-    /// The same of a pixel's corners.
-    fn corner_rays(self, [i, j]: [i64; 2]) -> [Vector; 4] {
+    /// The same of all corners of pixels, row by row.
+    fn corner_rays(self) -> impl Iterator<Item = Vector> {
         let [width, height] = [i64::from(self.width), i64::from(self.height)];
-        [[i, j], [i + 1, j], [i + 1, j + 1], [i, j + 1]]
-            .map(|[i, j]| [(2 * i - width) * height, (height - 2 * j) * width, width * height].map(IBig::from))
+        let ray =
+            move |i: i64, j: i64| [(2 * i - width) * height, (height - 2 * j) * width, width * height].map(IBig::from);
+        (0..=height).flat_map(move |j| (0..=width).map(move |i| ray(i, j)))
     }
 
     fn pixels(self) -> impl Iterator<Item = [i64; 2]> {

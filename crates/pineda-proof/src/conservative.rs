@@ -1,7 +1,7 @@
 //! Does each triangle touch, and cover whole, the pixels that the oracle says?
 //!
-//! In raster space, and where snapped corners are certain, exactly. For other triangles of clip space there are bounds: a pixel is certainly touched if a corner of it or its centre
-//! lies well inside of the exact triangle, and certainly not if all of it lies well outside of an edge; it is certainly covered whole if all of its corners lie well inside,
+//! In raster space, and where snapped corners are certain, exactly. For other triangles of clip space there are bounds: a pixel is certainly touched if a corner of it lies
+//! well inside of the exact triangle, and certainly not if all of it lies well outside of an edge; it is certainly covered whole if all of its corners lie well inside,
 //! and certainly not if one of them lies well outside.
 
 use crate::coverage::{MARGIN, SPAN, certain, span};
@@ -18,7 +18,8 @@ pub(crate) fn judge(
     random: &mut Random,
     tally: &mut Tally,
 ) -> Result<(), String> {
-    for conservative in [Conservative::Overestimate, Conservative::Underestimate] {
+    let bounds = bounds(case);
+    for (mode, conservative) in [Conservative::Overestimate, Conservative::Underestimate].into_iter().enumerate() {
         let mut drawn = || {
             let (settings, order) = (random.bits(), random.between(0, 5) as usize);
             draw_case(renderers.nth(settings), case, order, DrawState { conservative, ..DrawState::default() })
@@ -28,21 +29,20 @@ pub(crate) fn judge(
         if let Some(difference) = drawing.difference(&repeat) {
             return Err(format!("{conservative:?}: two settings or orders differ: {difference}"));
         }
-        let problem = match bounds(case, conservative) {
-            Some(bounds) => within(&drawing, &bounds),
-            None => Ok(()),
-        };
+        let problem = bounds.as_ref().map_or(Ok(()), |bounds| within(&drawing, &bounds[mode]));
         problem
             .and_then(|()| agrees(case, &drawing, ordinary, conservative))
-            .map_err(|p| format!("{conservative:?}: {p}"))?;
+            .map_err(|problem| format!("{conservative:?}: {problem}"))?;
     }
     Ok(())
 }
 
-/// How often each pixel is hit at least and at most; `None` if nobody can say.
-fn bounds(case: &Case, conservative: Conservative) -> Option<Vec<[u32; 2]>> {
-    let is_over = conservative == Conservative::Overestimate;
-    let mut bounds = vec![[0; 2]; (case.width * case.height) as usize];
+/// For each pixel, how many triangles hit it at least and at most.
+type Bounds = Vec<[u32; 2]>;
+
+/// Those of overestimation and of underestimation; `None` if nobody can say.
+fn bounds(case: &Case) -> Option<[Bounds; 2]> {
+    let mut bounds = [(); 2].map(|()| vec![[0; 2]; (case.width * case.height) as usize]);
     let triangles: Vec<_> = case.corners().filter(|corners| corners.iter().flatten().all(|x| x.is_finite())).collect();
     let snapped: Option<Vec<Triangle>> = match case.space {
         Space::Raster => Some(case.snapped()),
@@ -51,8 +51,9 @@ fn bounds(case: &Case, conservative: Conservative) -> Option<Vec<[u32; 2]>> {
     if let Some(snapped) = snapped {
         for triangle in snapped {
             for_each_near(triangle, case, |pixel, at| {
-                let is_hit = if is_over { touches(triangle, pixel) } else { covers_whole(triangle, pixel) };
-                bounds[at] = bounds[at].map(|hits| hits + u32::from(is_hit));
+                for (bounds, hits) in bounds.iter_mut().zip([touches, covers_whole]) {
+                    bounds[at] = bounds[at].map(|count| count + u32::from(hits(triangle, pixel)));
+                }
             });
         }
         return Some(bounds);
@@ -60,24 +61,23 @@ fn bounds(case: &Case, conservative: Conservative) -> Option<Vec<[u32; 2]>> {
     if span(&triangles) > SPAN {
         return None;
     }
-    for corners in &triangles {
-        let Some(part) = Visible::new(corners, case.width, case.height) else { continue };
-        for (at, [least, most]) in bounds.iter_mut().enumerate() {
-            let pixel = [at as i64 % i64::from(case.width), at as i64 / i64::from(case.width)];
-            let Some(edges) = part.corner_margins(pixel) else {
-                *most += 1;
+    for part in triangles.iter().filter_map(|corners| Visible::new(corners, case.width, case.height)) {
+        let edges = part.corner_margins();
+        let [over, under] = &mut bounds;
+        for (at, (over, under)) in over.iter_mut().zip(under).enumerate() {
+            let [x, y] = [at % case.width as usize, at / case.width as usize];
+            let Some(edges) = &edges else {
+                (over[1], under[1]) = (over[1] + 1, under[1] + 1);
                 continue;
             };
-            let corner = |k: usize| edges.iter().map(|edge| edge[k]).fold(f64::INFINITY, f64::min);
-            let inside = (0..4).filter(|&k| corner(k) > MARGIN).count();
-            let [certainly, certainly_not] = if is_over {
-                let is_apart = edges.iter().any(|edge| edge.iter().all(|&margin| margin < -MARGIN));
-                [inside > 0 || part.margin(pixel) > MARGIN, is_apart]
-            } else {
-                [inside == 4, (0..4).any(|k| corner(k) < -MARGIN)]
-            };
-            *least += u32::from(certainly);
-            *most += u32::from(!certainly_not);
+            let first = y * (case.width as usize + 1) + x;
+            let corners = [first, first + 1, first + case.width as usize + 1, first + case.width as usize + 2];
+            let margin = |corner: usize| edges.iter().map(|edge| edge[corner]).fold(f64::INFINITY, f64::min);
+            let is_apart = edges.iter().any(|edge| corners.iter().all(|&corner| edge[corner] < -MARGIN));
+            over[0] += u32::from(corners.iter().any(|&corner| margin(corner) > MARGIN));
+            over[1] += u32::from(!is_apart);
+            under[0] += u32::from(corners.iter().all(|&corner| margin(corner) > MARGIN));
+            under[1] += u32::from(!corners.iter().any(|&corner| margin(corner) < -MARGIN));
         }
     }
     Some(bounds)

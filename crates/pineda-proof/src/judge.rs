@@ -87,7 +87,7 @@ impl Judge {
     }
 
     /// Draws a case and compares it with the oracle; draws it again with other settings and with the corners in another order, which must
-    /// give the same bits; every fiftieth time with all settings; every fourth time with each culling; and every fourth time
+    /// give the same bits; every fiftieth time with all settings; every fourth time with each culling; and every eighth time
     /// conservatively.
     ///
     /// # Errors
@@ -130,7 +130,7 @@ impl Judge {
                 return Err(format!("pixel {at}: back faces, front faces and all hit it {hits:?} times"));
             }
         }
-        if random.one_in(4) {
+        if random.one_in(8) {
             conservative::judge(case, &drawing, renderers, random, tally)?;
         }
         Ok(())
