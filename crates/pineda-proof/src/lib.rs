@@ -8,6 +8,7 @@
 //! | `coverage.rs` | is every pixel covered as often as the oracle says? |
 //! | `numbers.rs` | are barycentric coordinates, depth and varyings within their bounds of the exact ones? |
 //! | `judge.rs` | all of it for one case: what `prove` runs a hundred million times |
+//! | `ulp.rs` | how near do shaders' functions come to the true values? What `cargo xtask ulp` asks of every float |
 //!
 //! ```
 //! use pineda_proof::Judge;
@@ -24,6 +25,7 @@ mod judge;
 mod numbers;
 mod probe;
 mod settings;
+pub mod ulp;
 
 pub use drawing::{Drawing, draw_case};
 pub use judge::{Judge, Tally};

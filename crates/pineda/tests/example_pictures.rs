@@ -9,6 +9,9 @@ mod deferred;
 #[path = "../examples/depth_prepass.rs"]
 #[allow(dead_code, unreachable_pub, reason = "an example's main and file writing are not run here")]
 mod depth_prepass;
+#[path = "../examples/procedural.rs"]
+#[allow(dead_code, unreachable_pub, reason = "an example's main and file writing are not run here")]
+mod procedural;
 #[path = "../examples/sorted_transparency.rs"]
 #[allow(dead_code, unreachable_pub, reason = "an example's main and file writing are not run here")]
 mod sorted_transparency;
@@ -49,4 +52,9 @@ fn deferred_picture() {
 #[test]
 fn depth_prepass_picture() {
     check(depth_prepass::draw, 0x82c6_7005_59a7_1509);
+}
+
+#[test]
+fn procedural_picture() {
+    check(procedural::draw, 0);
 }

@@ -5,6 +5,7 @@
 //! - `PINEDA_BLESS=1 cargo test -p pineda --test golden` writes them anew: look at every picture that changed first.
 //! - `PINEDA_PICTURES=1 cargo test -p pineda --test golden` writes the pictures, as PPM, to `target/tmp/golden`.
 
+mod functions;
 mod looks;
 mod primitives;
 mod scenes;

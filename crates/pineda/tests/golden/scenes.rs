@@ -1,5 +1,6 @@
 //! The golden scenes.
 
+use crate::functions::{self, Functions};
 use crate::looks::{BlinnPhong, CutOpen, Gouraud, Holes, Stripes};
 use crate::primitives::{self, Facets, Row, Sprite, Sprites};
 use crate::shapes::{Shape, ground, knot, rectangle, slivers, soup};
@@ -43,6 +44,7 @@ pub(crate) enum Look {
     Sprites(Vec<Sprite>),
     CutOpen(CutOpen),
     Dots,
+    Functions,
 }
 
 impl Scene {
@@ -63,6 +65,7 @@ impl Layer {
             Look::Facets(row) => pass.draw(&Facets, Mesh { indices: row.indices(), ..mesh }, self.state),
             Look::CutOpen(look) => pass.draw(look, mesh, self.state),
             Look::Dots => pass.draw(&Dots, mesh, self.state),
+            Look::Functions => pass.draw(&Functions, mesh, self.state),
             Look::Sprites(sprites) => pass.draw_instanced(&Sprites, mesh, sprites, self.state),
         };
     }
@@ -112,6 +115,12 @@ pub(crate) fn all() -> Vec<Scene> {
         scene("stencil_operations", stencil_operations()),
         scene("stencil_outline_and_shadow", stencil_outline()),
         Scene { clear: [0.0; 4], ..scene("blend_operations_and_color_masks", blend_operations()) },
+        Scene {
+            width: functions::SIZE[0],
+            height: functions::SIZE[1],
+            format: Format::Float,
+            ..scene("noise_and_functions", functions::functions())
+        },
     ]
 }
 

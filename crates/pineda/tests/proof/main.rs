@@ -1,5 +1,6 @@
 //! `pineda` against the oracle, against a naive renderer, and against its own promises.
 
+mod accuracy;
 mod clip_distances;
 mod color_errors;
 mod coverage;
