@@ -142,13 +142,20 @@ impl Function {
 }
 
 impl Function2 {
+    /// What it makes of a pair, by the pair's number.
+    #[must_use]
+    pub fn found(&self, number: u64) -> f32 {
+        let [a, b] = (self.arguments)(random(number));
+        (self.ours)(a.into(), b.into()).into()
+    }
+
     /// The worst of `count` random pairs, numbered from `first` on.
     #[must_use]
     pub fn worst(&self, first: u64, count: u64) -> Worst {
         let mut worst = Worst::default();
         for number in first..first + count {
             let [a, b] = (self.arguments)(random(number));
-            let found = (self.ours)(a.into(), b.into()).into();
+            let found = self.found(number);
             worst.add(found, (self.exact)(f64::from(a), f64::from(b)), self.flushes, [a, b]);
         }
         worst

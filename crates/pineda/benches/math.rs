@@ -5,8 +5,8 @@
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use pineda::{
-    ColorBuffer, DrawState, Fragment, Indices, Lanes, Mesh, Pass, Real, Renderer, Rgba, Settings, Shader, Space, Target,
-    Vec2, Vec3, Vec4, noise, shader,
+    ColorBuffer, DrawState, Fragment, Indices, Lanes, Mesh, Pass, Real, Renderer, Rgba, Settings, Shader, Space,
+    Target, Vec2, Vec3, Vec4, noise, shader,
 };
 
 const SIZE: u32 = 512;

@@ -12,7 +12,9 @@ use std::path::PathBuf;
 /// Pixels across and down.
 pub const SIZE: u32 = 512;
 
-const EYE: [f32; 3] = [0.0, 2.6, 6.4];
+const EYE: [f32; 3] = [0.0, 2.7, 7.6];
+
+const SKY: [f32; 3] = [0.42, 0.45, 0.5];
 const LIGHT: [f32; 3] = [-0.48, 0.64, 0.6];
 
 /// A place, and a normal of any length.
@@ -97,12 +99,13 @@ impl Shader for Floor {
 
     fn fragment<L: Lanes>(&self, f: &mut Fragment<L, Self>) -> Rgba<L> {
         let place = f.varyings();
-        let mut light = 0.9 - 0.035 * place.length();
+        let mut light = f.splat(0.8);
         for [x, z, radius] in self.shadows {
             light *= 0.25 + 0.75 * (place - [x, z]).length().smoothstep(0.2 * radius, 1.5 * radius);
         }
         let speckle = 1.0 + 0.10 * noise::fbm2(place * 5.0, 4, 5);
-        Rgba::opaque(f.splat([0.42, 0.40, 0.37]) * (light.max(0.0) * speckle))
+        let near = f.splat([0.42, 0.40, 0.37]) * (light * speckle);
+        Rgba::opaque(near.mix(SKY, place.length().smoothstep(3.0, 26.0)))
     }
 }
 
@@ -132,27 +135,25 @@ fn turned(outline: impl Fn(f32) -> [f32; 2]) -> (Vec<Vertex>, Vec<u32>) {
 
 /// The picture, row by row from the top.
 pub fn draw(settings: Settings) -> Result<Vec<[u8; 4]>, Error> {
-    let camera =
-        Mat4::perspective(0.62, 1.0, 1.0, 40.0) * Mat4::look_at(EYE, [0.0, 0.95, 0.0], [0.0, 1.0, 0.0]);
+    let camera = Mat4::perspective(0.62, 1.0, 1.0, 40.0) * Mat4::look_at(EYE, [0.0, 1.0, 0.0], [0.0, 1.0, 0.0]);
     let half_turn = std::f32::consts::PI;
     let (ball, ball_triangles) = turned(|t| {
         let (sin, cos) = Real::from(half_turn * t).sin_cos();
         [sin.into(), cos.into()]
     });
     let (vase, vase_triangles) = turned(|t| {
-        // A neck, a belly and a foot.
-        let wave: f32 = (Real::from(half_turn * (1.9 * t + 0.15)).cos() * -0.3).into();
-        let belly: f32 = Real::from(half_turn * t).sin().into();
-        [0.36 + 0.42 * belly + wave * (1.0 - 0.4 * t), 2.3 * (1.0 - t)]
+        // A lip, a neck, a belly and a foot.
+        let [wide, narrow] = [2.0, 6.0].map(|times| f32::from(Real::from(times * half_turn * t).cos()));
+        [0.53 - 0.24 * wide + 0.07 * narrow, 2.3 * (1.0 - t)]
     });
-    let wooden = Carved { camera, middle: [-1.15, 1.0, 0.2], is_wood: true };
-    let stone = Carved { camera, middle: [1.15, 0.0, 0.0], is_wood: false };
-    let floor = Floor { camera, shadows: [[-1.15, 0.2, 1.0], [1.15, 0.0, 0.8]] };
+    let wooden = Carved { camera, middle: [-1.1, 1.0, 0.2], is_wood: true };
+    let stone = Carved { camera, middle: [1.1, 0.0, 0.0], is_wood: false };
+    let floor = Floor { camera, shadows: [[-1.1, 0.2, 1.0], [1.1, 0.0, 0.6]] };
     let corners = [[-30.0, 4.0], [30.0, 4.0], [-30.0, -30.0], [30.0, -30.0]];
 
     let state = DrawState { cull: Cull::Back, ..DrawState::default() };
     let mut pass = Pass::new();
-    pass.clear_color = Some([0.42, 0.45, 0.5, 1.0]);
+    pass.clear_color = Some([SKY[0], SKY[1], SKY[2], 1.0]);
     pass.draw(&wooden, Mesh { vertices: &ball, indices: Indices::U32(&ball_triangles) }, state);
     let open = DrawState { cull: Cull::None, ..state };
     pass.draw(&stone, Mesh { vertices: &vase, indices: Indices::U32(&vase_triangles) }, open);

@@ -46,7 +46,7 @@ fn stencil_outline_picture() {
 
 #[test]
 fn deferred_picture() {
-    check(deferred::draw, 0xab27_c42f_9243_fb8a);
+    check(deferred::draw, 0x8aa7_3f56_2e5d_ec12);
 }
 
 #[test]
@@ -56,5 +56,5 @@ fn depth_prepass_picture() {
 
 #[test]
 fn procedural_picture() {
-    check(procedural::draw, 0);
+    check(procedural::draw, 0xba97_b258_73ae_8fd6);
 }

@@ -1,5 +1,5 @@
-//! What is said of the functions' values and is no matter of every float: those are judged by `pineda_proof::ulp`, here and there in
-//! `tests/proof/accuracy.rs`, and all of them by `cargo xtask ulp`.
+//! What is said of the functions' values and is no matter of every float: those are judged by `pineda_proof::ulp`, a sample in its tests, and
+//! all of them by `cargo xtask ulp`.
 
 use super::{Real, Vec2, Vec3};
 use crate::lanes::Scalar;
@@ -37,13 +37,13 @@ fn angles_are_accurate_at_the_multiples_of_a_quarter_turn() {
 
 #[test]
 fn a_huge_angle_changes_nothing_for_its_neighbours() {
-    use crate::lanes::{Lanes, Packet};
+    use crate::lanes::Packet;
     let mut angles: [f32; 16] = core::array::from_fn(|k| 1000.3 * k as f32 - 7.0);
     let alone = angles.map(|x| Real::<Scalar>(x).sin().0);
     angles[5] = 1e30;
     for level in crate::lanes::conformance::levels() {
         let mut found = [0.0; 16];
-        crate::wide::dispatch!(level, simd => Real(Packet(simd).load(&angles)).sin().store(&mut found));
+        crate::wide::dispatch!(level, simd => Real::load(Packet(simd), &angles).sin().store(&mut found));
         for k in 0..16 {
             assert!(k == 5 || found[k].to_bits() == alone[k].to_bits(), "lane {k} at {level:?}");
         }

@@ -25,7 +25,8 @@ impl<L: Lanes> Real<L> {
     #[inline(always)]
     pub fn powf(self, n: impl ToLanes<L, Self>) -> Self {
         let n = n.to_lanes(self.lanes());
-        let (exponent, x) = self.split();
+        // Of -0 the logarithm would else be a positive number, and with a huge `n` infinite.
+        let (exponent, x) = self.abs().split();
         let t = n.double() * log2_of_product(exponent, x, x.double());
         let rounded = t.round();
         let shifted = rounded + ROUND;
@@ -50,7 +51,7 @@ impl<L: Lanes> Real<L> {
         let guess = Self(L::bits_f(L::iadd(third, lanes.int(OFFSET)))).double();
         let root = halley(halley(guess, a.double()), a.double()).round() * subnormal.select(0.003_906_25, 1.0); // 2^-8
         let is_number = size.lt(f32::INFINITY) & size.gt(0.0);
-        is_number.select(root.times_sign_of(self), self)
+        is_number.select(root, size).times_sign_of(self)
     }
 
     /// Infinity where a positive number's bits say more than that, 0 where they are those of a subnormal one.

@@ -125,7 +125,8 @@ impl<L: Lanes> Real<L> {
         /// From here on every float is whole; below, a sum with it has no room for a fraction.
         const WHOLE: f32 = 8_388_608.0; // 2^23
         let size = self.abs();
-        size.lt(WHOLE).select(((size + WHOLE) - WHOLE).copysign(self), self)
+        // The sign last: choosing between `self` and what has its sign, LLVM 22 makes one AVX-512 instruction of both, and a wrong one.
+        size.lt(WHOLE).select((size + WHOLE) - WHOLE, size).copysign(self)
     }
 
     /// `self` without its fraction: the next whole number towards 0.

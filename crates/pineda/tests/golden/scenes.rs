@@ -119,7 +119,7 @@ pub(crate) fn all() -> Vec<Scene> {
             width: functions::SIZE[0],
             height: functions::SIZE[1],
             format: Format::Float,
-            ..scene("noise_and_functions", functions::functions())
+            ..scene("noise_and_refraction", functions::functions())
         },
     ]
 }

@@ -1,6 +1,5 @@
 //! `pineda` against the oracle, against a naive renderer, and against its own promises.
 
-mod accuracy;
 mod clip_distances;
 mod color_errors;
 mod coverage;
