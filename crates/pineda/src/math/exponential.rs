@@ -8,11 +8,7 @@
 //! Results that would be subnormal (below 2^-126 = 1.2e-38) are 0 here: they are invisible, and slow on some processors.
 //! Subnormal arguments are taken for what they are. `math/accuracy.rs` tests what each function states.
 
-#![expect(
-    clippy::excessive_precision,
-    clippy::approx_constant,
-    reason = "coefficients are written with the digits that their derivation gave"
-)]
+#![expect(clippy::excessive_precision, reason = "coefficients are written with the digits that their derivation gave")]
 
 use super::Real;
 use crate::lanes::Lanes;

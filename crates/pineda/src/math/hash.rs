@@ -126,34 +126,24 @@ mod tests {
 
     #[test]
     fn every_bit_turns_half_of_the_others() {
-        // Of each bit of each input: how often each bit of the first output turns with it.
-        let turned = |change: fn([u32; 4], u32) -> [u32; 4], bit: u32, hash: fn([u32; 4]) -> u32| {
-            let mut counts = [0; 32];
-            for n in 0..512_u32 {
-                let v = [n, n * 7, n ^ 0x155, n / 3];
-                let differs = hash(v) ^ hash(change(v, bit));
-                (0..32).for_each(|k| counts[k] += differs >> k & 1);
-            }
-            counts.into_iter().sum::<u32>() as f32 / (512.0 * 32.0)
-        };
-        let hashes: [(usize, fn([u32; 4]) -> u32); 4] = [
-            (1, |[x, ..]| hash1(Uint::<Scalar>::from(x)).into()),
-            (2, |[x, y, ..]| hash2([x, y].map(Uint::<Scalar>::from))[0].into()),
-            (3, |[x, y, z, _]| hash3([x, y, z].map(Uint::<Scalar>::from))[0].into()),
-            (4, |v| hash4(v.map(Uint::<Scalar>::from))[0].into()),
+        /// The first output, of as many of the numbers as the hash takes.
+        type Hash = fn([u32; 4]) -> u32;
+        let hashes: [Hash; 4] = [
+            |[x, ..]| hash1(Uint::<Scalar>::from(x)).into(),
+            |[x, y, ..]| hash2([x, y].map(Uint::<Scalar>::from))[0].into(),
+            |[x, y, z, _]| hash3([x, y, z].map(Uint::<Scalar>::from))[0].into(),
+            |v| hash4(v.map(Uint::<Scalar>::from))[0].into(),
         ];
-        let changes: [fn([u32; 4], u32) -> [u32; 4]; 4] = [
-            |[x, y, z, w], bit| [x ^ 1 << bit, y, z, w],
-            |[x, y, z, w], bit| [x, y ^ 1 << bit, z, w],
-            |[x, y, z, w], bit| [x, y, z ^ 1 << bit, w],
-            |[x, y, z, w], bit| [x, y, z, w ^ 1 << bit],
-        ];
-        for (count, hash) in hashes {
-            for (input, change) in changes.into_iter().enumerate().take(count) {
-                for bit in 0..16 {
-                    let part = turned(change, bit, hash);
-                    assert!((0.4..0.6).contains(&part), "{count} numbers: bit {bit} of number {input} turns {part}");
-                }
+        for (last, hash) in hashes.into_iter().enumerate() {
+            for (input, bit) in (0..=last).flat_map(|input| (0..16).map(move |bit| (input, bit))) {
+                let turned = (0..512).map(|n| {
+                    let v = [n, n * 7, n ^ 0x155, n / 3];
+                    let mut changed = v;
+                    changed[input] ^= 1 << bit;
+                    (hash(v) ^ hash(changed)).count_ones()
+                });
+                let part = turned.sum::<u32>() as f32 / (512.0 * 32.0);
+                assert!((0.4..0.6).contains(&part), "bit {bit} of number {input} of {last} turns {part}");
             }
         }
     }
