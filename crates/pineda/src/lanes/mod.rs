@@ -52,6 +52,9 @@ pub trait Lanes: sealed::Sealed + Copy + Debug + Send + Sync + 'static {
     /// One `i32` per lane.
     type I: Copy + Debug + Send + Sync + 'static;
 
+    /// One `f64` per lane, for the inner steps of functions: twice the work of an `f32`.
+    type D: Copy + Debug + Send + Sync + 'static;
+
     /// The number of lanes: 1 or 16.
     const N: usize;
 
@@ -59,6 +62,8 @@ pub trait Lanes: sealed::Sealed + Copy + Debug + Send + Sync + 'static {
     fn of(a: Self::F) -> Self;
     /// The width that `m` was made at.
     fn of_mask(m: Self::M) -> Self;
+    /// The width that `a` was made at.
+    fn of_double(a: Self::D) -> Self;
 
     /// `x` in every lane.
     fn splat(self, x: f32) -> Self::F;
@@ -85,6 +90,23 @@ pub trait Lanes: sealed::Sealed + Copy + Debug + Send + Sync + 'static {
     fn sqrt(a: Self::F) -> Self::F;
     /// The largest whole number that is not above `a`; -0, infinities and NaN stay.
     fn floor(a: Self::F) -> Self::F;
+
+    /// `x` in every lane.
+    fn double(self, x: f64) -> Self::D;
+    /// The same numbers as `f64`.
+    fn widen(a: Self::F) -> Self::D;
+    /// The nearest `f32` of each lane, ties to even.
+    fn narrow(a: Self::D) -> Self::F;
+    /// `a + b`.
+    fn dadd(a: Self::D, b: Self::D) -> Self::D;
+    /// `a - b`.
+    fn dsub(a: Self::D, b: Self::D) -> Self::D;
+    /// `a * b`.
+    fn dmul(a: Self::D, b: Self::D) -> Self::D;
+    /// `a / b`, correctly rounded.
+    fn ddiv(a: Self::D, b: Self::D) -> Self::D;
+    /// The square root, correctly rounded; NaN below zero.
+    fn dsqrt(a: Self::D) -> Self::D;
 
     /// `a < b`; false where either is NaN.
     fn lt(a: Self::F, b: Self::F) -> Self::M;

@@ -1,6 +1,7 @@
 //! The golden scenes.
 
 use crate::conservative;
+use crate::functions::{self, Functions};
 use crate::looks::{BlinnPhong, CutOpen, Gouraud, Holes, Stripes};
 use crate::multisample;
 use crate::primitives::{self, Facets, Row, Sprite, Sprites};
@@ -46,6 +47,7 @@ pub(crate) enum Look {
     Sprites(Vec<Sprite>),
     CutOpen(CutOpen),
     Dots,
+    Functions,
 }
 
 impl Scene {
@@ -66,6 +68,7 @@ impl Layer {
             Look::Facets(row) => pass.draw(&Facets, Mesh { indices: row.indices(), ..mesh }, self.state),
             Look::CutOpen(look) => pass.draw(look, mesh, self.state),
             Look::Dots => pass.draw(&Dots, mesh, self.state),
+            Look::Functions => pass.draw(&Functions, mesh, self.state),
             Look::Sprites(sprites) => pass.draw_instanced(&Sprites, mesh, sprites, self.state),
         };
     }
@@ -137,6 +140,12 @@ pub(crate) fn all() -> Vec<Scene> {
             width: conservative::SIZE[0],
             height: conservative::SIZE[1],
             ..scene("conservative", conservative::three_columns())
+        },
+        Scene {
+            width: functions::SIZE[0],
+            height: functions::SIZE[1],
+            format: Format::Float,
+            ..scene("noise_and_refraction", functions::functions())
         },
     ]
 }
