@@ -4,7 +4,7 @@
 //! from coverage alone, and so the oracle can say what is right, pixel by pixel.
 
 use super::Bench;
-use super::sheet::{Draw, Interpolation, Sheet, Vertex, clip_position_between};
+use super::sheet::{Draw, Interpolation, Sampled, Sheet, Vertex, clip_position_between};
 use super::tally::{Row, Tally};
 use anyhow::Result;
 use pineda::{Blend, Cull, DepthState, DrawState, FrontFace, PrimitiveTopology, Scissor, Viewport};
@@ -75,6 +75,18 @@ impl Shape {
             };
         }
         color
+    }
+
+    /// What is right for a sample, which lies so far off the centre.
+    fn expected_sample(&self, pixel: [u32; 2], sample: usize, offset: Point) -> [u8; 4] {
+        if self.state.sample_mask >> sample & 1 == 1 { self.seen_from(offset).expected(pixel) } else { [0; 4] }
+    }
+
+    /// The shape for which a pixel's centre is what the sample so far off it is for this one.
+    fn seen_from(&self, offset: Point) -> Self {
+        let mut moved = self.clone();
+        moved.corners.iter_mut().for_each(|corner| *corner = [corner[0] - offset[0], corner[1] - offset[1]]);
+        moved
     }
 
     /// The first vertices of what covers a pixel, in order.
@@ -185,7 +197,7 @@ impl fmt::Display for Shape {
     /// Everything about it, for someone to draw it alone.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { seed, cell, corners, besides, colors, indices, state, .. } = self;
-        let DrawState { topology, cull, front_face, viewport, scissor, .. } = state;
+        let DrawState { topology, cull, front_face, viewport, scissor, sample_mask, .. } = state;
         let blend = if state.blend == Blend::OPAQUE { "replaced" } else { "added" };
         write!(
             f,
@@ -194,6 +206,9 @@ impl fmt::Display for Shape {
         write!(f, "indices {indices:?}, cull {cull:?}, front {front_face:?}")?;
         if besides.iter().any(|beside| *beside != [0; 2]) {
             write!(f, ", given beside the corners by 1/4096 pixel times {besides:?}")?;
+        }
+        if *sample_mask != u32::MAX {
+            write!(f, ", samples of mask {sample_mask:#06b}")?;
         }
         if let Some(viewport) = viewport {
             write!(f, ", {viewport:?}")?;
@@ -216,26 +231,41 @@ fn rectangle_covers([a, b]: [Point; 2], width: f32, pixel: Point) -> bool {
 /// Draws shapes, as many at once as a sheet holds, and compares. `row` explains a pixel of which the oracle says what `pineda` says; it is told what lavapipe says.
 pub(crate) fn compare(
     bench: &mut Bench,
+    shapes: Vec<Shape>,
+    tally: &mut Tally,
+    row: impl Fn(&Shape, [u32; 2], [u8; 4]) -> Option<Row>,
+) -> Result<()> {
+    compare_samples(bench, Sampled::Once, shapes, tally, row)
+}
+
+/// The same with so many samples, each of which is compared. `row` is told of a shape that it finds moved, so that the sample is where the pixel's centre would be.
+pub(crate) fn compare_samples(
+    bench: &mut Bench,
+    samples: Sampled,
     mut shapes: Vec<Shape>,
     tally: &mut Tally,
     row: impl Fn(&Shape, [u32; 2], [u8; 4]) -> Option<Row>,
 ) -> Result<()> {
     tally.cases += shapes.len() as u64;
     for shapes in pack(&mut shapes) {
-        let mut sheet = Sheet::new(SHEET);
+        let mut sheet = Sheet::sampled(SHEET, samples);
         shapes.iter().for_each(|shape| shape.add_to(&mut sheet));
         let [ours, theirs] = bench.draw(&sheet)?;
-        for shape in shapes {
+        for (shape, (sample, &offset)) in
+            shapes.iter().flat_map(|shape| samples.offsets().iter().enumerate().map(move |sample| (shape, sample)))
+        {
             for pixel in (0..shape.cell).flat_map(|y| (0..shape.cell).map(move |x| [x, y])) {
                 tally.pixels += 1;
-                let at = sheet.at([0, 1].map(|axis| shape.origin[axis] + pixel[axis]));
+                let at = sheet.at([0, 1].map(|axis| shape.origin[axis] + pixel[axis])) + sample * sheet.pixels();
                 let (ours, theirs) = (ours.colors.codes()[at], theirs.colors.codes()[at]);
                 tally.drawn += u64::from(ours != [0; 4]);
                 if ours != theirs {
-                    let expected = shape.expected(pixel);
-                    let row = row(shape, pixel, theirs).filter(|_| ours == expected);
+                    let expected = shape.expected_sample(pixel, sample, offset);
+                    let moved = shape.seen_from(offset);
+                    let row = row(&moved, pixel, theirs).filter(|_| ours == expected);
                     tally.differs(row, || {
-                        format!("pixel {pixel:?}: pineda {ours:?}, lavapipe {theirs:?}, by the rules {expected:?}, {} pixels from an edge; {shape}", shape.edge_distance(pixel))
+                        let distance = moved.edge_distance(pixel);
+                        format!("pixel {pixel:?}, sample {sample}: pineda {ours:?}, lavapipe {theirs:?}, by the rules {expected:?}, {distance} pixels from an edge; {shape}")
                     });
                 }
             }

@@ -16,6 +16,7 @@ pub(crate) enum Row {
     SrgbPolynomial,
     ThinLines,
     LineCorners,
+    AlphaToCoverage,
 }
 
 impl Row {
@@ -29,6 +30,7 @@ impl Row {
             Self::SrgbPolynomial => "sRGB polynomial",
             Self::ThinLines => "thin lines",
             Self::LineCorners => "line corners",
+            Self::AlphaToCoverage => "alpha to coverage",
         }
     }
 }
@@ -109,6 +111,7 @@ mod tests {
             Row::SrgbPolynomial,
             Row::ThinLines,
             Row::LineCorners,
+            Row::AlphaToCoverage,
         ] {
             assert!(table.contains(&format!("| {} |", row.as_str())), "{row:?}");
         }
