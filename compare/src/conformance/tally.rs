@@ -17,6 +17,7 @@ pub(crate) enum Row {
     ThinLines,
     LineCorners,
     AlphaToCoverage,
+    LineBounds,
 }
 
 impl Row {
@@ -31,6 +32,7 @@ impl Row {
             Self::ThinLines => "thin lines",
             Self::LineCorners => "line corners",
             Self::AlphaToCoverage => "alpha to coverage",
+            Self::LineBounds => "line bounds",
         }
     }
 }
@@ -112,6 +114,7 @@ mod tests {
             Row::ThinLines,
             Row::LineCorners,
             Row::AlphaToCoverage,
+            Row::LineBounds,
         ] {
             assert!(table.contains(&format!("| {} |", row.as_str())), "{row:?}");
         }
