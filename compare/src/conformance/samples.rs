@@ -253,13 +253,13 @@ fn averages(bench: &mut Bench, tally: &mut Tally, format: impl Fn(Vec<[u8; 4]>) 
                 repeats.map(|k: usize| colors[k])
             })
             .collect();
-        for sample in 0..4 {
+        for (sample, sample_mask) in [1, 2, 4, 8].into_iter().enumerate() {
             let square = |at: usize| {
                 let color = colors[at][sample];
                 square(position(&sheet, at)).into_iter().flat_map(move |corners| vertices_of(corners, color))
             };
             let vertices = (0..sheet.pixels()).flat_map(square).collect();
-            let state = DrawState { sample_mask: 1 << sample, ..plain() };
+            let state = DrawState { sample_mask, ..plain() };
             sheet.draws.push(Draw { vertices, indices: None, interpolation: Interpolation::Flat, state });
         }
         tally.cases += colors.len() as u64;
