@@ -296,7 +296,7 @@ pub(crate) fn decode(code: f64) -> f64 {
 }
 
 /// What llvmpipe decodes by: up to 0.42 codes off, just good enough for every code to be read back.
-pub(crate) fn decode_by_polynomial(code: f64) -> f64 {
+fn decode_by_polynomial(code: f64) -> f64 {
     let v = code / 255.0;
     if code <= 15.0 { v / 12.6 } else { ((0.3012 * v + 0.6935) * v + 0.0030) * v + 0.0023 }
 }
