@@ -200,7 +200,7 @@ fn pixel(sheet: &Sheet, [x, y]: [u32; 2], color: [f32; 4]) -> [Vertex; 3] {
     })
 }
 
-fn stored(colors: &Colors, at: usize) -> [f64; 4] {
+pub(crate) fn stored(colors: &Colors, at: usize) -> [f64; 4] {
     match colors {
         Colors::Unorm8(codes) | Colors::Srgb8(codes) => codes[at].map(f64::from),
         Colors::Float16(colors) => colors[at].map(|bits| f16_to_f32(bits).into()),
@@ -290,7 +290,7 @@ impl Exact {
 }
 
 /// IEC 61966-2-1.
-fn decode(code: f64) -> f64 {
+pub(crate) fn decode(code: f64) -> f64 {
     let v = code / 255.0;
     if v <= 0.04045 { v / 12.92 } else { libm::pow((v + 0.055) / 1.055, 2.4) }
 }
@@ -302,13 +302,13 @@ fn decode_by_polynomial(code: f64) -> f64 {
 }
 
 /// From one half to the next larger one.
-fn half_step(x: f64) -> f64 {
+pub(crate) fn half_step(x: f64) -> f64 {
     let exponent = x.abs().max(1.0 / 16384.0).log2().floor();
     exponent.exp2() / 1024.0
 }
 
 /// The code on the curve, with its fraction.
-fn encode(linear: f64) -> f64 {
+pub(crate) fn encode(linear: f64) -> f64 {
     let v = if linear <= 0.003_130_8 { 12.92 * linear } else { 1.055 * libm::pow(linear, 1.0 / 2.4) - 0.055 };
     255.0 * v
 }

@@ -13,11 +13,16 @@ const SHIFT: f64 = std::f64::consts::SQRT_2 / 512.0;
 
 /// The oracle's cases in raster space that fit a sheet: slivers, shared edges, meshes, edges and corners on pixel centres, with culling.
 pub(crate) fn lists(bench: &mut Bench, tally: &mut Tally) -> Result<()> {
-    // How many there may be of each size of cell, from 32 to 2048 pixels: of large ones fewer, for a sheet holds fewer.
-    let mut room = [40_000, 20_000, 4_000, 1_000, 250, 60, 16].map(|count| count * bench.times);
+    let shapes = list_shapes(bench, [40_000, 20_000, 4_000, 1_000, 250, 60, 16], |_| [0, 0]);
+    compare(bench, shapes, tally, |_, _, _| None)
+}
+
+/// Some of the oracle's cases: so many at most for each size of cell, from 32 to 2048 pixels; of large ones fewer, for a sheet holds fewer. Each moved by so many 1/256 pixels.
+pub(crate) fn list_shapes(bench: &Bench, counts: [u64; 7], moved_by: impl Fn(&mut Random) -> Point) -> Vec<Shape> {
+    let mut room = counts.map(|count| count * bench.times);
     let mut shapes = Vec::new();
     for seed in (bench.seed..).take(1_000_000 * bench.times as usize) {
-        if let Some(shape) = shape_of_case(&Case::from_seed(seed)) {
+        if let Some(shape) = shape_of_case(&Case::from_seed(seed), moved_by(&mut Random::new(seed.reverse_bits()))) {
             let room = &mut room[(shape.cell / SMALLEST_CELL).ilog2() as usize];
             if *room > 0 {
                 *room -= 1;
@@ -28,12 +33,18 @@ pub(crate) fn lists(bench: &mut Bench, tally: &mut Tally) -> Result<()> {
             break;
         }
     }
-    compare(bench, shapes, tally, |_, _, _| None)
+    shapes
 }
 
 /// Strips, many in a draw: a walk from point to point, back and forth, on the spot. The first vertex of each triangle provokes.
 pub(crate) fn strips(bench: &mut Bench, tally: &mut Tally) -> Result<()> {
-    let shapes = (bench.seed..).take(24_000 * bench.times as usize).map(|seed| {
+    let shapes = strip_shapes(bench, 24_000);
+    compare(bench, shapes, tally, |_, _, _| None)
+}
+
+/// So many strips.
+pub(crate) fn strip_shapes(bench: &Bench, count: u64) -> Vec<Shape> {
+    let shapes = (bench.seed..).take((count * bench.times) as usize).map(|seed| {
         let mut random = Random::new(seed);
         let cell = random.pick(&[32, 64]);
         let mut corners: Vec<Point> = Vec::new();
@@ -46,8 +57,7 @@ pub(crate) fn strips(bench: &mut Bench, tally: &mut Tally) -> Result<()> {
         shape.state.topology = PrimitiveTopology::TriangleStrip;
         shape
     });
-    let shapes = shapes.collect();
-    compare(bench, shapes, tally, |_, _, _| None)
+    shapes.collect()
 }
 
 /// Triangles whose corners are given in 1/4096 pixel: snapped to the nearest 1/256, ties to even. Small ones, and edges near centres, so that a corner snapped otherwise shows.
@@ -137,13 +147,13 @@ fn viewport([x, y]: [f32; 2], [width, height]: [i64; 2]) -> Viewport {
     Viewport { x, y, width: width as f32, height: height as f32, min_depth: 0.0, max_depth: 1.0 }
 }
 
-/// A case moved by whole pixels into the smallest cell that holds it.
-fn shape_of_case(case: &Case) -> Option<Shape> {
+/// A case moved by so many 1/256 pixels, and by whole pixels into the smallest cell that holds it.
+fn shape_of_case(case: &Case, [x, y]: Point) -> Option<Shape> {
     if case.space != Space::Raster || case.dropped() > 0 {
         return None;
     }
     let snapped = case.snapped();
-    let corners: Vec<Point> = snapped.into_iter().flatten().collect();
+    let corners: Vec<Point> = snapped.into_iter().flatten().map(|corner| [corner[0] + x, corner[1] + y]).collect();
     let bound = |axis: usize| {
         let values = || corners.iter().map(|corner| corner[axis]);
         Some((values().min()?.div_euclid(256), values().max()?.div_euclid(256) + 1))

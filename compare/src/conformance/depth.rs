@@ -114,16 +114,16 @@ pub(crate) fn clamp(bench: &mut Bench, tally: &mut Tally) -> Result<()> {
 
 /// A triangle whose depth is a plane.
 #[derive(Clone, Copy, Debug)]
-struct Sloped {
+pub(crate) struct Sloped {
     corners: [Point; 3],
     /// z / w.
     z: [f32; 3],
     w: [f32; 3],
-    state: DrawState,
+    pub(crate) state: DrawState,
 }
 
 /// A triangle in each cell of a sheet; a quarter of them are flat.
-fn sloped(
+pub(crate) fn sloped(
     seed: u64,
     format: DepthFormat,
     depth: impl Fn(&mut Random) -> f32,
@@ -156,6 +156,11 @@ pub(crate) fn is_fat([a, b, c]: [Point; 3]) -> bool {
 }
 
 impl Sloped {
+    pub(crate) fn vertices(&self, viewport: &Viewport, color: [f32; 4]) -> [Vertex; 3] {
+        let position = |k: usize| clip_position(viewport, self.corners[k], self.z[k], self.w[k]);
+        [0, 1, 2].map(|k| Vertex { position: position(k), color })
+    }
+
     /// Its plane: depth at the picture's corner, and by how much it grows per pixel.
     fn plane(&self) -> [f64; 3] {
         let range =
@@ -185,21 +190,19 @@ impl Sloped {
         }
     }
 
-    /// What is exact for a pixel of the picture.
-    fn exact(&self, format: DepthFormat, pixel: [u32; 2], steps_a_unit: f64) -> f64 {
+    /// What is exact for a place in the picture.
+    pub(crate) fn exact(&self, format: DepthFormat, [x, y]: [f64; 2], steps_a_unit: f64) -> f64 {
         let plane @ [z, dz_dx, dz_dy] = self.plane();
-        let [x, y] = pixel.map(|x| f64::from(x) + 0.5);
         let range =
             self.state.viewport.map_or([0.0, 1.0], |viewport| [viewport.min_depth, viewport.max_depth]).map(f64::from);
         (z + dz_dx * x + dz_dy * y + self.offset(format, plane, steps_a_unit)).clamp(range[0], range[1])
     }
 
-    /// By how much two right answers can differ: a plane set up and evaluated in f32 from the picture's corner, as drivers do it, sums terms that are as large as the plane
+    /// By how much two right answers can differ there: a plane set up and evaluated in f32 from the picture's corner, as drivers do it, sums terms that are as large as the plane
     /// is steep and the pixel far away. Eight roundings of the terms' sizes for slopes (four differences and products, a quotient, a sum) and the evaluation (two products
     /// and sums); two for the offset, whose slope has an error of its own. And one code of unorm formats.
-    fn tolerance(&self, format: DepthFormat, pixel: [u32; 2]) -> f64 {
+    pub(crate) fn tolerance(&self, format: DepthFormat, [x, y]: [f64; 2]) -> f64 {
         let plane @ [z, dz_dx, dz_dy] = self.plane();
-        let [x, y] = pixel.map(|x| f64::from(x) + 0.5);
         let sizes = z.abs() + dz_dx.abs() * x + dz_dy.abs() * y + 1.0;
         let offset = self.offset(format, plane, 2.0).abs();
         (8.0 * sizes + 10.0 * offset) / 16_777_216.0 + format.steps().map_or(0.0, |steps| 1.0 / f64::from(steps))
@@ -212,11 +215,7 @@ fn compare(bench: &mut Bench, format: DepthFormat, triangles: &[Sloped], tally: 
     sheet.depth = format;
     for triangle in triangles {
         let viewport = triangle.state.viewport.unwrap_or(sheet.viewport());
-        let vertices = [0, 1, 2].map(|k| Vertex {
-            position: clip_position(&viewport, triangle.corners[k], triangle.z[k], triangle.w[k]),
-            color: [1.0; 4],
-        });
-        add(&mut sheet, 0, triangle.state, &vertices);
+        add(&mut sheet, 0, triangle.state, &triangle.vertices(&viewport, [1.0; 4]));
     }
     let [ours, theirs] = bench.draw(&sheet)?;
     tally.cases += triangles.len() as u64;
@@ -229,11 +228,12 @@ fn compare(bench: &mut Bench, format: DepthFormat, triangles: &[Sloped], tally: 
         let [is_ours, is_theirs] = [&ours, &theirs].map(|picture| picture.colors.codes()[at] != [0; 4]);
         tally.drawn += u64::from(is_ours);
         let [our_depth, their_depth] = [&ours, &theirs].map(|picture| format.decoded(picture.depth[at]));
-        let error = if is_ours { (our_depth - their_depth).abs() / triangle.tolerance(format, pixel) } else { 0.0 };
+        let centre = pixel.map(|x| f64::from(x) + 0.5);
+        let tolerance = triangle.tolerance(format, centre);
+        let error = if is_ours { (our_depth - their_depth).abs() / tolerance } else { 0.0 };
         if is_ours != is_theirs || error > 1.0 || (!is_ours && our_depth != their_depth) {
-            let exact = triangle.exact(format, pixel, 1.0);
-            let doubled = triangle.exact(format, pixel, 2.0);
-            let tolerance = triangle.tolerance(format, pixel);
+            let exact = triangle.exact(format, centre, 1.0);
+            let doubled = triangle.exact(format, centre, 2.0);
             let is_doubled = format.steps().is_some() && triangle.state.depth_bias.constant != 0.0;
             let is_explained = is_doubled
                 && (is_ours && is_theirs)
@@ -250,7 +250,7 @@ fn compare(bench: &mut Bench, format: DepthFormat, triangles: &[Sloped], tally: 
 }
 
 /// Adds a triangle to the first draw that has its state, `first` or later.
-fn add(sheet: &mut Sheet, first: usize, state: DrawState, vertices: &[Vertex]) {
+pub(crate) fn add(sheet: &mut Sheet, first: usize, state: DrawState, vertices: &[Vertex]) {
     match sheet.draws[first..].iter_mut().find(|draw| draw.state == state) {
         Some(draw) => draw.vertices.extend(vertices),
         None => {
@@ -261,7 +261,7 @@ fn add(sheet: &mut Sheet, first: usize, state: DrawState, vertices: &[Vertex]) {
 }
 
 /// Each format with a few seeds.
-fn runs(bench: &Bench) -> Vec<(DepthFormat, u64)> {
+pub(crate) fn runs(bench: &Bench) -> Vec<(DepthFormat, u64)> {
     let seeds = bench.seed..bench.seed + 4 * bench.times;
     FORMATS.into_iter().flat_map(|format| seeds.clone().map(move |seed| (format, seed))).collect()
 }

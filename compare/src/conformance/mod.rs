@@ -14,6 +14,7 @@ mod coverage;
 mod depth;
 mod interpolation;
 mod ours;
+mod samples;
 mod shapes;
 mod sheet;
 mod states;
@@ -54,6 +55,15 @@ const GROUPS: &[Group] = &[
     ("blending, f16", blending::float16),
     ("blending, f32", blending::float32),
     ("interpolation", interpolation::interpolation),
+    ("samples of lists", samples::lists),
+    ("samples of strips", samples::strips),
+    ("samples of points", samples::points),
+    ("samples of lines", samples::lines),
+    ("samples by alpha", samples::alpha_to_coverage),
+    ("samples' depths", samples::depth),
+    ("averages, 8 bits", samples::unorm8),
+    ("averages, sRGB", samples::srgb8),
+    ("averages, f16", samples::float16),
 ];
 
 /// Both renderers, and which cases to draw.

@@ -1,10 +1,10 @@
 //! A sheet drawn with `pineda`.
 
-use super::sheet::{Colors, DepthFormat, Draw, Interpolation, Picture, Sheet, Vertex};
+use super::sheet::{Colors, DepthFormat, Draw, Interpolation, Picture, Sampled, Sheet, Vertex};
 use anyhow::Result;
 use pineda::{
-    ColorBuffer, DepthBuffer, Fragment, Indices, Lanes, Mesh, Pass, Renderer, Rgba, Shader, Target, Vec4, shader,
-    varyings,
+    ColorBuffer, DepthBuffer, Fragment, Indices, Lanes, Mesh, Pass, Renderer, Rgba, Samples, Shader, Target, Vec4,
+    shader, varyings,
 };
 
 varyings! { struct Smooth { color: Rgba } }
@@ -64,8 +64,13 @@ pub(crate) fn draw(renderer: &mut Renderer, sheet: &Sheet) -> Result<Picture> {
         Colors::Float32(colors) => ColorBuffer::Rgba32F(colors),
     };
     let has_stencil = !stencil.is_empty();
-    let mut target =
-        Target { color, depth, stencil: has_stencil.then_some(&mut stencil), ..Target::new(sheet.side, sheet.side) };
+    let mut target = Target {
+        samples: if sheet.samples == Sampled::Once { Samples::One } else { Samples::Four },
+        color,
+        depth,
+        stencil: has_stencil.then_some(&mut stencil),
+        ..Target::new(sheet.side, sheet.side)
+    };
     renderer.render(&pass, &mut target)?;
     let depth = match sheet.depth {
         DepthFormat::None => Vec::new(),
@@ -77,6 +82,6 @@ pub(crate) fn draw(renderer: &mut Renderer, sheet: &Sheet) -> Result<Picture> {
 }
 
 fn zeros<'a, T: Copy + Default>(buffer: &'a mut Vec<T>, sheet: &Sheet) -> &'a mut [T] {
-    buffer.resize(sheet.pixels(), T::default());
+    buffer.resize(sheet.pixels() * sheet.samples.offsets().len(), T::default());
     buffer
 }

@@ -4,7 +4,7 @@
 //! from coverage alone, and so the oracle can say what is right, pixel by pixel.
 
 use super::Bench;
-use super::sheet::{Draw, Interpolation, Sheet, Vertex, clip_position_between};
+use super::sheet::{Draw, Interpolation, Sampled, Sheet, Vertex, clip_position_between};
 use super::tally::{Row, Tally};
 use anyhow::Result;
 use pineda::{Blend, Cull, DepthState, DrawState, FrontFace, PrimitiveTopology, Scissor, Viewport};
@@ -77,24 +77,32 @@ impl Shape {
         color
     }
 
+    /// What is right for a sample, which lies so far off the centre.
+    fn expected_sample(&self, pixel: [u32; 2], sample: usize, offset: Point) -> [u8; 4] {
+        if self.state.sample_mask >> sample & 1 == 1 { self.seen_from(offset).expected(pixel) } else { [0; 4] }
+    }
+
+    /// The shape for which a pixel's centre is what the sample so far off it is for this one.
+    fn seen_from(&self, offset: Point) -> Self {
+        let mut moved = self.clone();
+        moved.corners.iter_mut().for_each(|corner| *corner = [corner[0] - offset[0], corner[1] - offset[1]]);
+        moved
+    }
+
     /// The first vertices of what covers a pixel, in order.
     fn covering(&self, pixel: Point) -> Vec<usize> {
         let at = |k: usize| self.corners[k];
-        let numbers: Vec<usize> = self.indices.iter().map(|&k| k as usize).collect();
+        let numbers = self.numbers();
         let width = self.state.line_width;
-        let lines = |lines: &mut dyn Iterator<Item = [usize; 2]>| {
-            lines
-                .filter(|&[a, b]| {
-                    let line = [at(a), at(b)];
-                    if width == 1.0 { line_covers(line, pixel) } else { rectangle_covers(line, width, pixel) }
-                })
-                .map(|[a, _]| a)
-                .collect()
+        let is_line = |&[a, b]: &[usize; 2]| {
+            let line = [at(a), at(b)];
+            if width == 1.0 { line_covers(line, pixel) } else { rectangle_covers(line, width, pixel) }
         };
         match self.state.topology {
             PrimitiveTopology::PointList => numbers.into_iter().filter(|&k| point_covers(at(k), 256, pixel)).collect(),
-            PrimitiveTopology::LineList => lines(&mut numbers.as_chunks::<2>().0.iter().copied()),
-            PrimitiveTopology::LineStrip => lines(&mut numbers.windows(2).map(|ends| [ends[0], ends[1]])),
+            PrimitiveTopology::LineList | PrimitiveTopology::LineStrip => {
+                self.lines().into_iter().filter(is_line).map(|[a, _]| a).collect()
+            }
             _ => {
                 let is_drawn = |&triangle: &[usize; 3]| {
                     let corners = triangle.map(at);
@@ -111,6 +119,19 @@ impl Shape {
                 self.triangles().into_iter().filter(is_drawn).map(|[provoking, ..]| provoking).collect()
             }
         }
+    }
+
+    /// The ends of each line.
+    pub(crate) fn lines(&self) -> Vec<[usize; 2]> {
+        let numbers = self.numbers();
+        match self.state.topology {
+            PrimitiveTopology::LineStrip => numbers.windows(2).map(|ends| [ends[0], ends[1]]).collect(),
+            _ => numbers.as_chunks::<2>().0.to_vec(),
+        }
+    }
+
+    fn numbers(&self) -> Vec<usize> {
+        self.indices.iter().map(|&k| k as usize).collect()
     }
 
     /// Whether viewport and scissor leave the pixel. The viewport's corners are whole pixels wherever it matters.
@@ -185,7 +206,7 @@ impl fmt::Display for Shape {
     /// Everything about it, for someone to draw it alone.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { seed, cell, corners, besides, colors, indices, state, .. } = self;
-        let DrawState { topology, cull, front_face, viewport, scissor, .. } = state;
+        let DrawState { topology, cull, front_face, viewport, scissor, sample_mask, .. } = state;
         let blend = if state.blend == Blend::OPAQUE { "replaced" } else { "added" };
         write!(
             f,
@@ -194,6 +215,9 @@ impl fmt::Display for Shape {
         write!(f, "indices {indices:?}, cull {cull:?}, front {front_face:?}")?;
         if besides.iter().any(|beside| *beside != [0; 2]) {
             write!(f, ", given beside the corners by 1/4096 pixel times {besides:?}")?;
+        }
+        if *sample_mask != u32::MAX {
+            write!(f, ", samples of mask {sample_mask:#06b}")?;
         }
         if let Some(viewport) = viewport {
             write!(f, ", {viewport:?}")?;
@@ -205,37 +229,57 @@ impl fmt::Display for Shape {
     }
 }
 
-/// Whether the rectangle that is a line of a width (Vulkan 1.4, "Rectangular Line Segments") covers a pixel. Its corners are on the subpixel grid.
-fn rectangle_covers([a, b]: [Point; 2], width: f32, pixel: Point) -> bool {
+/// Whether the rectangle that is a line covers a pixel.
+fn rectangle_covers(line: [Point; 2], width: f32, pixel: Point) -> bool {
+    let corners = rectangle(line, width);
+    line[0] != line[1] && [[0, 1, 2], [0, 2, 3]].iter().any(|half| covers(half.map(|k| corners[k]), pixel))
+}
+
+/// The rectangle that is a line of a width (Vulkan 1.4, "Rectangular Line Segments"). Its corners are on the subpixel grid.
+pub(crate) fn rectangle([a, b]: [Point; 2], width: f32) -> [Point; 4] {
     let [dx, dy] = [0, 1].map(|axis| (b[axis] - a[axis]) as f64);
     let [x, y] = [-dy, dx].map(|v| (128.0 * f64::from(width) * v / dx.hypot(dy)).round_ties_even() as i64);
-    let corners = [[a[0] + x, a[1] + y], [a[0] - x, a[1] - y], [b[0] - x, b[1] - y], [b[0] + x, b[1] + y]];
-    a != b && [[0, 1, 2], [0, 2, 3]].iter().any(|half| covers(half.map(|k| corners[k]), pixel))
+    [[a[0] + x, a[1] + y], [a[0] - x, a[1] - y], [b[0] - x, b[1] - y], [b[0] + x, b[1] + y]]
 }
 
 /// Draws shapes, as many at once as a sheet holds, and compares. `row` explains a pixel of which the oracle says what `pineda` says; it is told what lavapipe says.
 pub(crate) fn compare(
     bench: &mut Bench,
-    mut shapes: Vec<Shape>,
+    shapes: Vec<Shape>,
     tally: &mut Tally,
     row: impl Fn(&Shape, [u32; 2], [u8; 4]) -> Option<Row>,
 ) -> Result<()> {
+    compare_samples(bench, Sampled::Once, shapes, tally, |_, moved, pixel, theirs| row(moved, pixel, theirs))
+}
+
+/// The same with so many samples, each of which is compared. `row` is given the shape, and the same moved so that the sample is where the pixel's centre was.
+pub(crate) fn compare_samples(
+    bench: &mut Bench,
+    samples: Sampled,
+    mut shapes: Vec<Shape>,
+    tally: &mut Tally,
+    row: impl Fn(&Shape, &Shape, [u32; 2], [u8; 4]) -> Option<Row>,
+) -> Result<()> {
     tally.cases += shapes.len() as u64;
     for shapes in pack(&mut shapes) {
-        let mut sheet = Sheet::new(SHEET);
+        let mut sheet = Sheet::sampled(SHEET, samples);
         shapes.iter().for_each(|shape| shape.add_to(&mut sheet));
         let [ours, theirs] = bench.draw(&sheet)?;
-        for shape in shapes {
+        for (shape, (sample, &offset)) in
+            shapes.iter().flat_map(|shape| samples.offsets().iter().enumerate().map(move |sample| (shape, sample)))
+        {
             for pixel in (0..shape.cell).flat_map(|y| (0..shape.cell).map(move |x| [x, y])) {
                 tally.pixels += 1;
-                let at = sheet.at([0, 1].map(|axis| shape.origin[axis] + pixel[axis]));
+                let at = sheet.at([0, 1].map(|axis| shape.origin[axis] + pixel[axis])) + sample * sheet.pixels();
                 let (ours, theirs) = (ours.colors.codes()[at], theirs.colors.codes()[at]);
                 tally.drawn += u64::from(ours != [0; 4]);
                 if ours != theirs {
-                    let expected = shape.expected(pixel);
-                    let row = row(shape, pixel, theirs).filter(|_| ours == expected);
+                    let expected = shape.expected_sample(pixel, sample, offset);
+                    let moved = shape.seen_from(offset);
+                    let row = row(shape, &moved, pixel, theirs).filter(|_| ours == expected);
                     tally.differs(row, || {
-                        format!("pixel {pixel:?}: pineda {ours:?}, lavapipe {theirs:?}, by the rules {expected:?}, {} pixels from an edge; {shape}", shape.edge_distance(pixel))
+                        let distance = moved.edge_distance(pixel);
+                        format!("pixel {pixel:?}, sample {sample}: pineda {ours:?}, lavapipe {theirs:?}, by the rules {expected:?}, {distance} pixels from an edge; {shape}")
                     });
                 }
             }

@@ -8,13 +8,25 @@ use pineda_oracle::Point;
 pub(crate) struct Sheet {
     /// Pixels to each side: a power of two, so that clip-space positions on the subpixel grid are exact in f32. At least 256, for rows to be copied without padding.
     pub(crate) side: u32,
-    /// The colours that are there, and their format.
+    pub(crate) samples: Sampled,
+    /// The colours that are there, and their format; black where there are four samples.
     pub(crate) colors: Colors,
     /// Cleared to 1.
     pub(crate) depth: DepthFormat,
     /// The stencil values that are there, if the depth format has any.
     pub(crate) stencil: Vec<u8>,
     pub(crate) draws: Vec<Draw>,
+}
+
+/// How many samples a pixel has, and what comes back of them.
+#[derive(Clone, Copy, Debug, Eq, Hash, PartialEq)]
+pub(crate) enum Sampled {
+    /// One, the centre.
+    Once,
+    /// Four, and all of them come back: those numbered 0 of all pixels, then those numbered 1, and so on.
+    FourTimes,
+    /// Four, and their averages come back; without depth.
+    Averaged,
 }
 
 /// Colours, row by row from the top.
@@ -77,10 +89,15 @@ pub(crate) struct Picture {
 impl Sheet {
     /// A sheet of black, without depth.
     pub(crate) fn new(side: u32) -> Self {
+        Self::sampled(side, Sampled::Once)
+    }
+
+    /// The same with so many samples.
+    pub(crate) fn sampled(side: u32, samples: Sampled) -> Self {
         assert!(side.is_power_of_two() && side >= 256, "{side}");
-        let pixels = side as usize * side as usize;
-        let (colors, draws) = (Colors::Unorm8(vec![[0; 4]; pixels]), Vec::new());
-        Self { side, colors, depth: DepthFormat::None, stencil: Vec::new(), draws }
+        let length = side as usize * side as usize * samples.offsets().len();
+        let (colors, draws) = (Colors::Unorm8(vec![[0; 4]; length]), Vec::new());
+        Self { side, samples, colors, depth: DepthFormat::None, stencil: Vec::new(), draws }
     }
 
     pub(crate) fn pixels(&self) -> usize {
@@ -95,6 +112,26 @@ impl Sheet {
     /// A pixel's place, row by row from the top.
     pub(crate) fn at(&self, [x, y]: [u32; 2]) -> usize {
         (y * self.side + x) as usize
+    }
+}
+
+impl Sampled {
+    /// How far what comes back of a pixel lies off its centre, in 1/256 pixel.
+    ///
+    /// Vulkan 1.4, "Multisampling", the standard sample locations. `pineda` has them in `Samples::positions`, by which it must not be judged.
+    pub(crate) fn offsets(self) -> &'static [Point] {
+        match self {
+            Self::Once | Self::Averaged => &[[0, 0]],
+            Self::FourTimes => &[[-32, -96], [96, -32], [-96, 32], [32, 96]],
+        }
+    }
+
+    /// Samples of a pixel.
+    pub(crate) fn count(self) -> u32 {
+        match self {
+            Self::Once => 1,
+            Self::FourTimes | Self::Averaged => 4,
+        }
     }
 }
 

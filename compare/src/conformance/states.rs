@@ -1,18 +1,17 @@
 //! `pineda`'s draw states in WebGPU's words. They are nearly the same; a render pipeline is made for each that is asked for.
 
-use super::sheet::{Colors, DepthFormat, Draw, Interpolation, Vertex};
+use super::sheet::{Colors, DepthFormat, Draw, Interpolation, Sheet, Vertex};
 use pineda::{
     BlendComponent, BlendFactor, BlendOperation, ColorMask, Compare, Cull, FrontFace, PrimitiveTopology, StencilFace,
     StencilOperation,
 };
 
-/// The pipeline for a draw to a sheet of these formats.
+/// The pipeline for a draw to a sheet.
 pub(crate) fn pipeline(
     device: &wgpu::Device,
     module: &wgpu::ShaderModule,
     draw: &Draw,
-    colors: &Colors,
-    depth: DepthFormat,
+    sheet: &Sheet,
 ) -> wgpu::RenderPipeline {
     let state = &draw.state;
     let (vertex, fragment) = match draw.interpolation {
@@ -53,7 +52,7 @@ pub(crate) fn pipeline(
             unclipped_depth: state.depth_clamp,
             ..wgpu::PrimitiveState::default()
         },
-        depth_stencil: depth_format(depth).map(|format| wgpu::DepthStencilState {
+        depth_stencil: depth_format(sheet.depth).map(|format| wgpu::DepthStencilState {
             format,
             depth_write_enabled: Some(state.depth.write),
             depth_compare: Some(compare(state.depth.compare)),
@@ -69,13 +68,17 @@ pub(crate) fn pipeline(
                 clamp: state.depth_bias.clamp,
             },
         }),
-        multisample: wgpu::MultisampleState::default(),
+        multisample: wgpu::MultisampleState {
+            count: sheet.samples.count(),
+            mask: state.sample_mask.into(),
+            alpha_to_coverage_enabled: state.alpha_to_coverage,
+        },
         fragment: Some(wgpu::FragmentState {
             module,
             entry_point: Some(fragment),
             compilation_options: wgpu::PipelineCompilationOptions::default(),
             targets: &[Some(wgpu::ColorTargetState {
-                format: color_format(colors),
+                format: color_format(&sheet.colors),
                 blend,
                 write_mask: color_writes(state.color_mask),
             })],

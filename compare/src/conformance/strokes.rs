@@ -14,28 +14,28 @@ use pineda_oracle::cases::Random;
 
 const CELL: u32 = 32;
 /// The next f32 after 1.
-const JUST_WIDE: f32 = 1.0 + f32::EPSILON;
+pub(crate) const JUST_WIDE: f32 = 1.0 + f32::EPSILON;
 
 /// Squares around points of the grid.
 pub(crate) fn points(bench: &mut Bench, tally: &mut Tally) -> Result<()> {
-    let shapes = shapes(bench, |_| PrimitiveTopology::PointList, 1.0);
+    let shapes = stroke_shapes(bench, 16_000, |_| PrimitiveTopology::PointList, 1.0);
     compare(bench, shapes, tally, |_, _, _| None)
 }
 
 /// Lists and strips of lines, as rectangles.
 pub(crate) fn rectangular_lines(bench: &mut Bench, tally: &mut Tally) -> Result<()> {
-    let shapes = shapes(bench, list_or_strip, JUST_WIDE);
+    let shapes = stroke_shapes(bench, 16_000, list_or_strip, JUST_WIDE);
     compare(bench, shapes, tally, |shape, pixel, theirs| is_rectangle(shape, pixel, theirs).then_some(Row::LineCorners))
 }
 
 /// The same by diamond exit; lavapipe draws rectangles.
 pub(crate) fn thin_lines(bench: &mut Bench, tally: &mut Tally) -> Result<()> {
-    let shapes = shapes(bench, list_or_strip, 1.0);
+    let shapes = stroke_shapes(bench, 16_000, list_or_strip, 1.0);
     compare(bench, shapes, tally, |shape, pixel, theirs| is_rectangle(shape, pixel, theirs).then_some(Row::ThinLines))
 }
 
 /// Whether these are the colours of lines that are rectangles, the corners of which are computed to a few roundings of f32.
-fn is_rectangle(shape: &Shape, pixel: [u32; 2], colors: [u8; 4]) -> bool {
+pub(crate) fn is_rectangle(shape: &Shape, pixel: [u32; 2], colors: [u8; 4]) -> bool {
     let mut wide = shape.clone();
     [-3, 1, 3].into_iter().any(|roundings| {
         wide.state.line_width = 1.0 + roundings as f32 * f32::EPSILON;
@@ -43,12 +43,17 @@ fn is_rectangle(shape: &Shape, pixel: [u32; 2], colors: [u8; 4]) -> bool {
     })
 }
 
-fn list_or_strip(random: &mut Random) -> PrimitiveTopology {
+pub(crate) fn list_or_strip(random: &mut Random) -> PrimitiveTopology {
     random.pick(&[PrimitiveTopology::LineList, PrimitiveTopology::LineStrip])
 }
 
-/// Cells with a few vertices each, the squares and rectangles around which do not reach the cell's border.
-fn shapes(bench: &Bench, topology: impl Fn(&mut Random) -> PrimitiveTopology, line_width: f32) -> Vec<Shape> {
+/// So many cells with a few vertices each, the squares and rectangles around which do not reach the cell's border.
+pub(crate) fn stroke_shapes(
+    bench: &Bench,
+    count: u64,
+    topology: impl Fn(&mut Random) -> PrimitiveTopology,
+    line_width: f32,
+) -> Vec<Shape> {
     let shape = |seed: u64| {
         let mut random = Random::new(seed);
         let mut corners: Vec<Point> = Vec::new();
@@ -70,5 +75,5 @@ fn shapes(bench: &Bench, topology: impl Fn(&mut Random) -> PrimitiveTopology, li
         (shape.state.topology, shape.state.line_width) = (topology(&mut random), line_width);
         shape
     };
-    (bench.seed..).take(16_000 * bench.times as usize).map(shape).collect()
+    (bench.seed..).take((count * bench.times) as usize).map(shape).collect()
 }

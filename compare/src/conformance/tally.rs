@@ -16,6 +16,8 @@ pub(crate) enum Row {
     SrgbPolynomial,
     ThinLines,
     LineCorners,
+    AlphaToCoverage,
+    LineBounds,
 }
 
 impl Row {
@@ -29,6 +31,8 @@ impl Row {
             Self::SrgbPolynomial => "sRGB polynomial",
             Self::ThinLines => "thin lines",
             Self::LineCorners => "line corners",
+            Self::AlphaToCoverage => "alpha to coverage",
+            Self::LineBounds => "line bounds",
         }
     }
 }
@@ -109,6 +113,8 @@ mod tests {
             Row::SrgbPolynomial,
             Row::ThinLines,
             Row::LineCorners,
+            Row::AlphaToCoverage,
+            Row::LineBounds,
         ] {
             assert!(table.contains(&format!("| {} |", row.as_str())), "{row:?}");
         }

@@ -1,6 +1,6 @@
 //! A sheet drawn with a Vulkan driver, through wgpu: one render pass, and everything read back.
 
-use super::sheet::{Colors, DepthFormat, Draw, Picture, Sheet, Vertex};
+use super::sheet::{Colors, DepthFormat, Draw, Picture, Sampled, Sheet, Vertex};
 use super::states::{color_format, depth_format, pipeline};
 use crate::device::Device;
 use anyhow::{Context, Result};
@@ -14,23 +14,44 @@ const WANTED: wgpu::Features = wgpu::Features::DEPTH_CLIP_CONTROL.union(wgpu::Fe
 pub(crate) struct Theirs {
     device: Device,
     module: wgpu::ShaderModule,
-    depth_reader: wgpu::ComputePipeline,
+    readers: Readers,
     pipelines: HashMap<String, wgpu::RenderPipeline>,
+}
+
+/// What writes a texture's values to a buffer: not every format of depth can be copied, and no texture of several samples.
+struct Readers {
+    depth: wgpu::ComputePipeline,
+    sampled_depth: wgpu::ComputePipeline,
+    sampled_color: wgpu::ComputePipeline,
+}
+
+/// What is drawn to.
+struct Attachments {
+    color: wgpu::Texture,
+    depth: Option<wgpu::Texture>,
+    averages: Option<wgpu::Texture>,
 }
 
 impl Theirs {
     pub(crate) fn new() -> Result<Self> {
         let device = Device::open(WANTED)?;
         let module = device.device.create_shader_module(wgpu::include_wgsl!("theirs.wgsl"));
-        let depth_reader = device.device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
-            label: None,
-            layout: None,
-            module: &module,
-            entry_point: Some("read_depth"),
-            compilation_options: wgpu::PipelineCompilationOptions::default(),
-            cache: None,
-        });
-        Ok(Self { device, module, depth_reader, pipelines: HashMap::new() })
+        let reader = |name| {
+            device.device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
+                label: None,
+                layout: None,
+                module: &module,
+                entry_point: Some(name),
+                compilation_options: wgpu::PipelineCompilationOptions::default(),
+                cache: None,
+            })
+        };
+        let readers = Readers {
+            depth: reader("read_depth"),
+            sampled_depth: reader("read_sampled_depth"),
+            sampled_color: reader("read_sampled_color"),
+        };
+        Ok(Self { device, module, readers, pipelines: HashMap::new() })
     }
 
     /// Name and version.
@@ -52,21 +73,35 @@ impl Theirs {
     pub(crate) fn draw(&mut self, sheet: &Sheet) -> Result<Picture> {
         let pipelines: Vec<_> = sheet.draws.iter().map(|draw| self.pipeline(draw, sheet)).collect();
         let buffers = self.upload_meshes(sheet);
-        let color = self.texture(sheet, color_format(&sheet.colors));
-        let depth = depth_format(sheet.depth).map(|format| self.texture(sheet, format));
-        self.upload_pixels(sheet, &color, depth.as_ref());
+        let (color, samples) = (color_format(&sheet.colors), sheet.samples.count());
+        let attachments = Attachments {
+            color: self.texture(sheet, color, samples),
+            depth: depth_format(sheet.depth).map(|format| self.texture(sheet, format, samples)),
+            averages: (sheet.samples == Sampled::Averaged).then(|| self.texture(sheet, color, 1)),
+        };
+        self.upload_pixels(sheet, &attachments);
 
         let mut encoder = self.device.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-        encode_draws(&mut encoder, sheet, &pipelines, &buffers, &color, depth.as_ref());
+        encode_draws(&mut encoder, sheet, &pipelines, &buffers, &attachments);
+        let Attachments { color, depth, averages } = &attachments;
         let pixels = sheet.pixels() as u64;
         let color_size = match sheet.colors {
             Colors::Unorm8(_) | Colors::Srgb8(_) => 4,
             Colors::Float16(_) => 8,
             Colors::Float32(_) => 16,
         };
-        let read_color = self.readback(pixels * color_size);
-        copy(&mut encoder, sheet, &color, wgpu::TextureAspect::All, &read_color);
-        let read_depth = depth.as_ref().map(|depth| self.encode_depth_reader(&mut encoder, sheet, depth));
+        let read_color = if sheet.samples == Sampled::FourTimes {
+            self.encode_reader(&mut encoder, sheet, color, &self.readers.sampled_color)
+        } else {
+            let buffer = self.readback(pixels * color_size);
+            copy(&mut encoder, sheet, averages.as_ref().unwrap_or(color), wgpu::TextureAspect::All, &buffer);
+            buffer
+        };
+        let depth_reader = match sheet.samples {
+            Sampled::Once => &self.readers.depth,
+            Sampled::FourTimes | Sampled::Averaged => &self.readers.sampled_depth,
+        };
+        let read_depth = depth.as_ref().map(|depth| self.encode_reader(&mut encoder, sheet, depth, depth_reader));
         let read_stencil = depth.as_ref().filter(|_| !sheet.stencil.is_empty()).map(|depth| {
             let buffer = self.readback(pixels);
             copy(&mut encoder, sheet, depth, wgpu::TextureAspect::StencilOnly, &buffer);
@@ -96,9 +131,10 @@ impl Theirs {
         if let Some(stencil) = &mut state.stencil {
             (stencil.front.reference, stencil.back.reference) = (0, 0);
         }
-        let formats = (color_format(&sheet.colors), sheet.depth, draw.interpolation, draw.indices.is_some());
+        let formats =
+            (color_format(&sheet.colors), sheet.depth, sheet.samples, draw.interpolation, draw.indices.is_some());
         let Self { device, module, pipelines, .. } = self;
-        let build = || pipeline(&device.device, module, draw, &sheet.colors, sheet.depth);
+        let build = || pipeline(&device.device, module, draw, sheet);
         pipelines.entry(format!("{state:?} {formats:?}")).or_insert_with(build).clone()
     }
 
@@ -127,12 +163,12 @@ impl Theirs {
         ]
     }
 
-    fn texture(&self, sheet: &Sheet, format: wgpu::TextureFormat) -> wgpu::Texture {
+    fn texture(&self, sheet: &Sheet, format: wgpu::TextureFormat, sample_count: u32) -> wgpu::Texture {
         self.device.device.create_texture(&wgpu::TextureDescriptor {
             label: None,
             size: size(sheet),
             mip_level_count: 1,
-            sample_count: 1,
+            sample_count,
             dimension: wgpu::TextureDimension::D2,
             format,
             usage: wgpu::TextureUsages::RENDER_ATTACHMENT
@@ -143,7 +179,11 @@ impl Theirs {
         })
     }
 
-    fn upload_pixels(&self, sheet: &Sheet, color: &wgpu::Texture, depth: Option<&wgpu::Texture>) {
+    fn upload_pixels(&self, sheet: &Sheet, Attachments { color, depth, .. }: &Attachments) {
+        // Several samples cannot be uploaded; they begin as zeros, as all textures do.
+        if sheet.samples != Sampled::Once {
+            return;
+        }
         let write = |texture: &wgpu::Texture, aspect, data: &[u8]| {
             let bytes_per_row = Some((data.len() / sheet.side as usize) as u32);
             let layout = wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row, rows_per_image: None };
@@ -156,7 +196,7 @@ impl Theirs {
             Colors::Float32(colors) => bytemuck::cast_slice(colors),
         };
         write(color, wgpu::TextureAspect::All, data);
-        if let Some(depth) = depth.filter(|_| !sheet.stencil.is_empty()) {
+        if let Some(depth) = depth.as_ref().filter(|_| !sheet.stencil.is_empty()) {
             write(depth, wgpu::TextureAspect::StencilOnly, &sheet.stencil);
         }
     }
@@ -175,31 +215,33 @@ impl Theirs {
         })
     }
 
-    /// Depths of every format can be loaded in a shader, but not every one can be copied.
-    fn encode_depth_reader(
+    /// Has every value of a texture written to a buffer, 32 bits each.
+    fn encode_reader(
         &self,
         encoder: &mut wgpu::CommandEncoder,
         sheet: &Sheet,
-        depth: &wgpu::Texture,
+        texture: &wgpu::Texture,
+        reader: &wgpu::ComputePipeline,
     ) -> wgpu::Buffer {
-        let bytes = 4 * sheet.pixels() as u64;
+        let bytes = 4 * sheet.pixels() as u64 * u64::from(texture.sample_count());
         let storage = self.buffer(bytes, wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC);
-        let view = depth.create_view(&wgpu::TextureViewDescriptor {
-            aspect: wgpu::TextureAspect::DepthOnly,
+        let is_depth = texture.format().has_depth_aspect();
+        let view = texture.create_view(&wgpu::TextureViewDescriptor {
+            aspect: if is_depth { wgpu::TextureAspect::DepthOnly } else { wgpu::TextureAspect::All },
             ..wgpu::TextureViewDescriptor::default()
         });
         let bindings = self.device.device.create_bind_group(&wgpu::BindGroupDescriptor {
             label: None,
-            layout: &self.depth_reader.get_bind_group_layout(0),
+            layout: &reader.get_bind_group_layout(0),
             entries: &[
                 wgpu::BindGroupEntry { binding: 0, resource: wgpu::BindingResource::TextureView(&view) },
                 wgpu::BindGroupEntry { binding: 1, resource: storage.as_entire_binding() },
             ],
         });
         let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor::default());
-        pass.set_pipeline(&self.depth_reader);
+        pass.set_pipeline(reader);
         pass.set_bind_group(0, &bindings, &[]);
-        pass.dispatch_workgroups(sheet.side / 64, sheet.side, 1);
+        pass.dispatch_workgroups(sheet.side / 64, sheet.side, texture.sample_count());
         drop(pass);
         let readback = self.readback(bytes);
         encoder.copy_buffer_to_buffer(&storage, 0, &readback, 0, bytes);
@@ -220,17 +262,16 @@ fn encode_draws(
     sheet: &Sheet,
     pipelines: &[wgpu::RenderPipeline],
     [vertices, indices]: &[wgpu::Buffer; 2],
-    color: &wgpu::Texture,
-    depth: Option<&wgpu::Texture>,
+    Attachments { color, depth, averages }: &Attachments,
 ) {
-    let color_view = color.create_view(&wgpu::TextureViewDescriptor::default());
-    let depth_view = depth.map(|depth| depth.create_view(&wgpu::TextureViewDescriptor::default()));
+    let view = |texture: &wgpu::Texture| texture.create_view(&wgpu::TextureViewDescriptor::default());
+    let (color_view, depth_view, averages_view) = (view(color), depth.as_ref().map(view), averages.as_ref().map(view));
     let load = wgpu::Operations { load: wgpu::LoadOp::Load, store: wgpu::StoreOp::Store };
     let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
         color_attachments: &[Some(wgpu::RenderPassColorAttachment {
             view: &color_view,
             depth_slice: None,
-            resolve_target: None,
+            resolve_target: averages_view.as_ref(),
             ops: load,
         })],
         depth_stencil_attachment: depth_view.as_ref().map(|view| wgpu::RenderPassDepthStencilAttachment {

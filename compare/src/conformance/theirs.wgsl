@@ -1,4 +1,4 @@
-// The shaders of `ours.rs`: a vertex's colour, interpolated in one of three ways. And one that reads depths back.
+// The shaders of `ours.rs`: a vertex's colour, interpolated in one of three ways. And those that read back what cannot be copied: depths, and samples.
 
 struct Vertex {
     @location(0) position: vec4<f32>,
@@ -51,10 +51,24 @@ fn flat_fragment(fragment: Flat) -> @location(0) vec4<f32> {
 }
 
 @group(0) @binding(0) var depth: texture_depth_2d;
+@group(0) @binding(0) var sampled_depth: texture_depth_multisampled_2d;
+@group(0) @binding(0) var sampled_color: texture_multisampled_2d<f32>;
 @group(0) @binding(1) var<storage, read_write> bits: array<u32>;
 
 @compute @workgroup_size(64)
 fn read_depth(@builtin(global_invocation_id) at: vec3<u32>) {
     let side = textureDimensions(depth).x;
     bits[at.y * side + at.x] = bitcast<u32>(textureLoad(depth, at.xy, 0));
+}
+
+@compute @workgroup_size(64)
+fn read_sampled_depth(@builtin(global_invocation_id) at: vec3<u32>) {
+    let side = textureDimensions(sampled_depth).x;
+    bits[(at.z * side + at.y) * side + at.x] = bitcast<u32>(textureLoad(sampled_depth, at.xy, at.z));
+}
+
+@compute @workgroup_size(64)
+fn read_sampled_color(@builtin(global_invocation_id) at: vec3<u32>) {
+    let side = textureDimensions(sampled_color).x;
+    bits[(at.z * side + at.y) * side + at.x] = pack4x8unorm(textureLoad(sampled_color, at.xy, at.z));
 }
