@@ -6,7 +6,6 @@
 use super::__Row4 as Row4;
 use super::centroid::Borders;
 use super::distinct::Distinct;
-use super::interpolate::interpolate;
 use super::large::Last;
 use super::packet::{BATCH, Moved, PacketState, VaryingLayout};
 use super::sample_packets::SamplePacket;
@@ -84,7 +83,6 @@ pub(crate) fn shade_visible_samples<S: Simd>(
     depth: DepthRule,
 ) {
     let layout = layout_of(shading);
-    let position = |vertex: usize| shading.call.position(vertex);
     let (mut last, mut distinct) = (Last::none(s), [Distinct::NONE; BATCH]);
     shading.cache.start(shading.run, &layout);
     // Lanes of several blocks go together where nothing is computed from the block.
@@ -123,16 +121,7 @@ pub(crate) fn shade_visible_samples<S: Simd>(
         if shading.batch.len() == 0 {
             return;
         }
-        interpolate::<S, false>(
-            s,
-            shading.run,
-            &position,
-            &layout,
-            shading.batch,
-            &mut distinct,
-            &mut last,
-            shading.cache,
-        );
+        shading.interpolate::<S, false>(s, &layout, &mut distinct, &mut last);
         finish_depths(s, shading, &layout, depth);
         shading.call.run_fragments(shading.level, shading.batch);
         let further = shading.further();
@@ -269,7 +258,6 @@ pub(crate) fn shade_samples_in_order<S: Simd>(
     let part = |block: u32| if layout.depth { block as usize % view.plane_blocks } else { block as usize };
     // Triangles come in the order of their numbers.
     packets.sort_unstable_by_key(|packet| (packet.id >> ORDER_BITS, part(packet.block), packet.block));
-    let position = |vertex: usize| shading.call.position(vertex);
     let (mut last, mut distinct) = (Last::none(s), [Distinct::NONE; BATCH]);
     shading.cache.start(shading.run, &layout);
     let call = shading.call;
@@ -324,16 +312,7 @@ pub(crate) fn shade_samples_in_order<S: Simd>(
                 groups[shading.batch.len() - 1] = group;
             }
         }
-        interpolate::<S, true>(
-            s,
-            shading.run,
-            &position,
-            &layout,
-            shading.batch,
-            &mut distinct,
-            &mut last,
-            shading.cache,
-        );
+        shading.interpolate::<S, true>(s, &layout, &mut distinct, &mut last);
         finish_depths(s, shading, &layout, depth);
         shading.call.run_fragments(shading.level, shading.batch);
         merge(s, shading, &groups, is_late);

@@ -6,7 +6,7 @@ use super::distinct::Distinct;
 use super::interpolate::interpolate;
 use super::large::Last;
 use super::over::{is_over, merge_over};
-use super::packet::{BATCH, PacketBatch};
+use super::packet::{BATCH, PacketBatch, VaryingLayout};
 use super::run::RunView;
 use super::single::{Single, begins_with_many, fill};
 use super::stencil::Tests;
@@ -55,6 +55,20 @@ impl Shading<'_> {
         self.call.outputs().kinds.len().saturating_sub(1).min(self.more_colors.len())
     }
 
+    /// Interpolates the varyings of the batch's packets; with `SINGLE`, each packet is known to show one triangle.
+    #[inline(always)]
+    pub(super) fn interpolate<S: Simd, const SINGLE: bool>(
+        &mut self,
+        s: S,
+        layout: &VaryingLayout,
+        distinct: &mut [Distinct; BATCH],
+        last: &mut Last<S>,
+    ) {
+        let call = self.call;
+        let position = |vertex: usize| call.position(vertex);
+        interpolate::<S, SINGLE>(s, self.run, &position, layout, self.batch, distinct, last, self.cache);
+    }
+
     /// Counts the lanes of a block.
     #[inline(always)]
     fn count(&mut self, block: usize, fragments: u32, samples: u32) {
@@ -76,7 +90,6 @@ impl Shading<'_> {
 #[inline(always)]
 pub(crate) fn shade_visible<S: Simd>(s: S, shading: &mut Shading<'_>, packets: &[VisiblePacket]) {
     let layout = shading.call.layout();
-    let position = |vertex: usize| shading.call.position(vertex);
     let (mut last, mut distinct) = (Last::none(s), [Distinct::NONE; BATCH]);
     shading.cache.start(shading.run, &layout);
     let further = shading.further();
@@ -93,16 +106,7 @@ pub(crate) fn shade_visible<S: Simd>(s: S, shading: &mut Shading<'_>, packets: &
             packet.depth = shading.tile.depth[block as usize];
             i += 1;
         }
-        interpolate::<S, false>(
-            s,
-            shading.run,
-            &position,
-            &layout,
-            shading.batch,
-            &mut distinct,
-            &mut last,
-            shading.cache,
-        );
+        shading.interpolate::<S, false>(s, &layout, &mut distinct, &mut last);
         shading.call.run_fragments(shading.level, shading.batch);
         let mut i = 0;
         while i < shading.batch.len() {
@@ -126,7 +130,6 @@ pub(crate) fn shade_visible<S: Simd>(s: S, shading: &mut Shading<'_>, packets: &
 #[inline(always)]
 pub(crate) fn shade_in_order<S: Simd>(s: S, shading: &mut Shading<'_>, packets: &[OrderedPacket]) {
     let layout = shading.call.layout();
-    let position = |vertex: usize| shading.call.position(vertex);
     let (mut last, mut distinct) = (Last::none(s), [Distinct::NONE; BATCH]);
     shading.cache.start(shading.run, &layout);
     let call = shading.call;
@@ -187,16 +190,7 @@ pub(crate) fn shade_in_order<S: Simd>(s: S, shading: &mut Shading<'_>, packets: 
             }
             next += 1;
         }
-        interpolate::<S, true>(
-            s,
-            shading.run,
-            &position,
-            &layout,
-            shading.batch,
-            &mut distinct,
-            &mut last,
-            shading.cache,
-        );
+        shading.interpolate::<S, true>(s, &layout, &mut distinct, &mut last);
         shading.call.run_fragments(shading.level, shading.batch);
         merge(s, shading, is_over);
         first = next;
