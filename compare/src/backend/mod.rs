@@ -49,9 +49,13 @@ impl Peer {
         }
     }
 
-    /// Whether it can draw the scene: euc is asked for pictures of opaque surfaces only.
+    /// Whether it can draw the scene: euc is asked for pictures of opaque surfaces without textures only.
     pub(crate) fn draws(self, scene: SceneName) -> bool {
-        self != Self::Euc || !matches!(scene, SceneName::Blend | SceneName::DepthOnly | SceneName::Ids)
+        self != Self::Euc
+            || matches!(
+                scene,
+                SceneName::FillFrontToBack | SceneName::FillBackToFront | SceneName::Micro | SceneName::Medium
+            )
     }
 
     /// How many of so many threads the renderer can make use of.

@@ -29,7 +29,15 @@ pub(super) fn layers(order: Order) -> Scene {
         vertices.extend([(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)].map(|(x, y)| corner(layer, x, y)));
         indices.extend([0, 1, 2, 0, 2, 3].map(|corner| first + corner));
     }
-    Scene { vertices, indices, clip_from_world: matrix::IDENTITY, shading: Shading::Gouraud, output: Output::Color }
+    Scene {
+        vertices,
+        indices,
+        clip_from_world: matrix::IDENTITY,
+        shading: Shading::Gouraud,
+        output: Output::Color,
+        textures: Vec::new(),
+        shadow_map: Vec::new(),
+    }
 }
 
 fn corner(layer: u32, x: f32, y: f32) -> Vertex {

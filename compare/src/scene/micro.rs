@@ -22,7 +22,15 @@ pub(super) fn sheet() -> Scene {
             indices.extend([here, here + 1, above + 1, here, above + 1, above]);
         }
     }
-    Scene { vertices, indices, clip_from_world: matrix::IDENTITY, shading: Shading::Gouraud, output: Output::Color }
+    Scene {
+        vertices,
+        indices,
+        clip_from_world: matrix::IDENTITY,
+        shading: Shading::Gouraud,
+        output: Output::Color,
+        textures: Vec::new(),
+        shadow_map: Vec::new(),
+    }
 }
 
 fn knot_of_sheet(column: u32, row: u32) -> Vertex {

@@ -9,9 +9,24 @@ mod deferred;
 #[path = "../examples/depth_prepass.rs"]
 #[allow(dead_code, unreachable_pub, reason = "an example's main and file writing are not run here")]
 mod depth_prepass;
+#[path = "../examples/environment.rs"]
+#[allow(dead_code, unreachable_pub, reason = "an example's main and file writing are not run here")]
+mod environment;
+#[path = "../examples/normal_mapping.rs"]
+#[allow(dead_code, unreachable_pub, reason = "an example's main and file writing are not run here")]
+mod normal_mapping;
+#[path = "../examples/post_process.rs"]
+#[allow(dead_code, unreachable_pub, reason = "an example's main and file writing are not run here")]
+mod post_process;
+#[path = "../examples/shadow_map.rs"]
+#[allow(dead_code, unreachable_pub, reason = "an example's main and file writing are not run here")]
+mod shadow_map;
 #[path = "../examples/sorted_transparency.rs"]
 #[allow(dead_code, unreachable_pub, reason = "an example's main and file writing are not run here")]
 mod sorted_transparency;
+#[path = "../examples/sprites.rs"]
+#[allow(dead_code, unreachable_pub, reason = "an example's main and file writing are not run here")]
+mod sprites;
 #[path = "../examples/stencil_outline.rs"]
 #[allow(dead_code, unreachable_pub, reason = "an example's main and file writing are not run here")]
 mod stencil_outline;
@@ -49,4 +64,29 @@ fn deferred_picture() {
 #[test]
 fn depth_prepass_picture() {
     check(depth_prepass::draw, 0x82c6_7005_59a7_1509);
+}
+
+#[test]
+fn environment_picture() {
+    check(environment::draw, 0);
+}
+
+#[test]
+fn normal_mapping_picture() {
+    check(normal_mapping::draw, 0);
+}
+
+#[test]
+fn post_process_picture() {
+    check(post_process::draw, 0);
+}
+
+#[test]
+fn shadow_map_picture() {
+    check(shadow_map::draw, 0);
+}
+
+#[test]
+fn sprites_picture() {
+    check(sprites::draw, 0);
 }

@@ -16,7 +16,7 @@
 
 use super::{Real, ToLanes};
 use crate::lanes::Lanes;
-use core::f32::consts::LOG2_E;
+use core::f32::consts::{LN_2, LOG2_E};
 
 /// c0 + x (c1 + x (c2 + ...)), rounded after every step.
 macro_rules! horner {
@@ -41,7 +41,8 @@ impl<L: Lanes> Real<L> {
         let x = self - (shifted - ROUND);
         let power = 1.0
             + x * horner!(x; 0.693_147_18, 0.240_226_48, 0.055_503_324, 0.009_618_437, 0.001_339_887_4, 0.000_153_533_56);
-        self.in_range(-126.0, 128.0, power.times_power_of_two(shifted))
+        let power = self.in_range(-126.0, 128.0, power.times_power_of_two(shifted));
+        power.with_slope(self, power * LN_2)
     }
 
     /// e to the power of `self`, to 1 ULP. 0 below -87.33654, infinity above 88.72283.
@@ -52,7 +53,8 @@ impl<L: Lanes> Real<L> {
         let x = (self - exponent * LN_2_HIGH) - exponent * LN_2_LOW;
         let power =
             1.0 + (x + x * x * horner!(x; 0.499_999_94, 0.166_665_21, 0.041_668_39, 0.008_368_71, 0.001_381_462_2));
-        self.in_range(-87.336_54, 88.722_84, power.times_power_of_two(shifted))
+        let power = self.in_range(-87.336_54, 88.722_84, power.times_power_of_two(shifted));
+        power.with_slope(self, power)
     }
 
     /// The logarithm to base 2, to 1.5 ULP, and exact for powers of two. -infinity of 0 (and -0), NaN below 0.
@@ -64,7 +66,7 @@ impl<L: Lanes> Real<L> {
             -0.191_062_87, 0.186_174_84, -0.109_949_186
         );
         // log2(1 + x) is about 1.44 x: with 1 x apart, p and its rounding count for a third of the result only.
-        self.logarithm_in_range(exponent + (x + x * p))
+        self.logarithm_in_range(exponent + (x + x * p)).with_slope(self, LOG2_E / self)
     }
 
     /// The natural logarithm, to 1 ULP. -infinity of 0 (and -0), NaN below 0.
@@ -77,7 +79,7 @@ impl<L: Lanes> Real<L> {
             -0.076_347_68
         );
         let tail = x * squared * p + exponent * LN_2_LOW - 0.5 * squared;
-        self.logarithm_in_range((x + tail) + exponent * LN_2_HIGH)
+        self.logarithm_in_range((x + tail) + exponent * LN_2_HIGH).with_slope(self, 1.0 / self)
     }
 
     /// `self` to the power of `n`: `(n * self.log2()).exp2()`, so to 1.5 (1 + |n log2(self)|) ULP: 0.9 to the power of 64 is
@@ -111,7 +113,8 @@ impl<L: Lanes> Real<L> {
         let y = (guess * 0.703_952_25) * (2.389_244_6 - (self * guess) * guess);
         // Halving y is exact; half of a number near the smallest normal one is not.
         let y = y * (1.500_000_3 - (self * (0.5 * y)) * y);
-        y + y * (0.5 - (self * (0.5 * y)) * y)
+        let y = y + y * (0.5 - (self * (0.5 * y)) * y);
+        y.with_slope(self, -0.5 * y * y * y)
     }
 
     /// `self`, which must be from 1/2 to 2, times 2 to the power of the whole number in the low bits of `shifted`, which

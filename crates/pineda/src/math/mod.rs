@@ -11,6 +11,7 @@
 
 mod boolean;
 mod color;
+mod derivative;
 mod exponential;
 mod integer;
 mod integer_color;

@@ -57,6 +57,8 @@ impl<L: Lanes> Real<L> {
         let sign = lanes.int(i32::MIN);
         let sin_sign = L::iand(L::ishl(quadrant, 30), sign);
         let cos_sign = L::iand(L::ishl(L::iadd(quadrant, lanes.int(1)), 30), sign);
-        (Self(L::bits_f(L::ixor(L::f_bits(first), sin_sign))), Self(L::bits_f(L::ixor(L::f_bits(second), cos_sign))))
+        let sin = Self(L::bits_f(L::ixor(L::f_bits(first), sin_sign)));
+        let cos = Self(L::bits_f(L::ixor(L::f_bits(second), cos_sign)));
+        (sin.with_slope(self, cos), cos.with_slope(self, -sin))
     }
 }

@@ -55,9 +55,9 @@ fn load<S: Simd>(s: S, run: &RunView<'_>, at: usize) -> u32x4<S> {
     u32x4::simd_from(s, run.records[at])
 }
 
-/// Packets whose lanes each load vertices of their own.
+/// Packets whose lanes each load vertices of their own; with derivatives if `FULL`.
 #[inline(always)]
-pub(crate) fn by_lane<S: Simd>(
+pub(crate) fn by_lane<S: Simd, const FULL: bool>(
     s: S,
     run: &RunView<'_>,
     layout: &VaryingLayout,
@@ -70,13 +70,13 @@ pub(crate) fn by_lane<S: Simd>(
     while i < list.len() {
         let k = list[i] as usize;
         let (packet, mut rows) = batch.packet(k);
-        lane_by_lane(s, run, layout, &packet.fragments(), &distinct[k & (BATCH - 1)], &lanes, &mut rows);
+        lane_by_lane::<S, FULL>(s, run, layout, &packet.fragments(), &distinct[k & (BATCH - 1)], &lanes, &mut rows);
         i += 1;
     }
 }
 
 #[inline(always)]
-fn lane_by_lane<S: Simd>(
+fn lane_by_lane<S: Simd, const FULL: bool>(
     s: S,
     run: &RunView<'_>,
     layout: &VaryingLayout,
@@ -93,8 +93,8 @@ fn lane_by_lane<S: Simd>(
     let y = (lanes.row << 8) + (fragments.y * SUBPIXELS + HALF_PIXEL);
     let vx = [a[0].bitcast::<i32x16<S>>() - x, b[0].bitcast::<i32x16<S>>() - x, c[0].bitcast::<i32x16<S>>() - x];
     let vy = [a[1].bitcast::<i32x16<S>>() - y, b[1].bitcast::<i32x16<S>>() - y, c[1].bitcast::<i32x16<S>>() - y];
-    let weights = of_lanes(vx, vy, [a[2].bitcast(), b[2].bitcast(), c[2].bitcast()]);
-    let both = Both::new::<false>(s, &weights, layout);
+    let weights = of_lanes::<S, FULL>(vx, vy, [a[2].bitcast(), b[2].bitcast(), c[2].bitcast()]);
+    let both = Both::new::<FULL>(s, &weights, layout);
     let mut r = 0;
     while r < record_rows(varyings) {
         if r != 0 {
@@ -107,7 +107,7 @@ fn lane_by_lane<S: Simd>(
             if k < varyings {
                 let f0: f32x16<S> = a[i].bitcast();
                 let corner = Corner3 { f0, d1: b[i].bitcast::<f32x16<S>>() - f0, d2: c[i].bitcast::<f32x16<S>>() - f0 };
-                both.set::<false>(layout, rows, k, corner);
+                both.set::<FULL>(layout, rows, k, corner);
             }
             i += 1;
         }

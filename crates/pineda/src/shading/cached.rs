@@ -21,7 +21,8 @@ pub(crate) const TRIANGLE_HEADER: usize = 3;
 /// - 1 / w of the vertices;
 /// - of each varying, its value at vertex 0, and by how much those at vertex 1 and 2 exceed it.
 ///
-/// Edge functions wrap around in 32 bits. A triangle whose area makes that matter where it covers is not kept.
+/// Edge functions wrap around in 32 bits. A triangle whose area makes that matter where it covers is not kept, nor one of 32,768 pixels or more
+/// from end to end.
 #[derive(Debug)]
 pub(crate) struct TriangleCache {
     /// The number of the run's first triangle in the batch, which tells runs apart.
@@ -91,7 +92,9 @@ impl TriangleCache {
         let (x, y) = ([a[0] as i32, b[0] as i32, c[0] as i32], [a[1] as i32, b[1] as i32, c[1] as i32]);
         let wide = |from: i32, to: i32| i64::from(to) - i64::from(from);
         let area = wide(x[0], x[1]) * wide(y[0], y[2]) - wide(x[0], x[2]) * wide(y[0], y[1]);
-        let Ok(area) = i32::try_from(area) else {
+        // What an edge function gains a pixel must fit by itself, for derivatives.
+        let is_long = |v: [i32; 3]| v[0].max(v[1]).max(v[2]) - v[0].min(v[1]).min(v[2]) >= 1 << 23;
+        let (Ok(area), false) = (i32::try_from(area), is_long(x) || is_long(y)) else {
             self.ids[slot(id)] = !id;
             return;
         };

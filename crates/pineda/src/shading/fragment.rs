@@ -1,7 +1,7 @@
 //! What a fragment stage receives.
 
-use super::Shader;
-use crate::lanes::Lanes;
+use super::{Shader, Varyings};
+use crate::lanes::{Dual, Lanes};
 use crate::math::{Bool, Real, Splat, Vec2};
 use core::marker::PhantomData;
 use core::ops::Deref;
@@ -145,6 +145,25 @@ impl<L: Lanes, V: Copy, K: FragmentKind> Frag<L, V, K> {
             );
         }
         &self.parts.dx
+    }
+
+    /// All varyings, as numbers that know their derivatives, and hand them on to whatever is computed from them: see [`Dual`]. What textures are
+    /// [sampled](crate::Texture2d::sample) with.
+    ///
+    /// The shader must say that it wants derivatives, as for [`dx`](Self::dx).
+    #[inline(always)]
+    pub fn dual(&self) -> V::At<Dual<L>>
+    where
+        V: Varyings<L>,
+    {
+        const {
+            assert!(
+                K::DERIVATIVES,
+                "this fragment stage calls f.dual(): add `const DERIVATIVES: bool = true;` to its `impl Shader` \
+                 (a closure cannot have derivatives: implement `Shader` instead)"
+            );
+        }
+        self.parts.varyings.with_derivatives(self.parts.dx, self.parts.dy)
     }
 
     /// How much each varying changes from a pixel to the one below; see [`dx`](Self::dx).

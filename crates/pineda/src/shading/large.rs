@@ -25,9 +25,9 @@ impl<S: Simd> Last<S> {
     }
 }
 
-/// Interpolates the packets that the list names.
+/// Interpolates the packets that the list names; with derivatives if `FULL`.
 #[inline(always)]
-pub(crate) fn large<S: Simd>(
+pub(crate) fn large<S: Simd, const FULL: bool>(
     s: S,
     run: &RunView<'_>,
     layout: &VaryingLayout,
@@ -41,14 +41,23 @@ pub(crate) fn large<S: Simd>(
     while i < list.len() {
         let k = list[i] as usize;
         let (packet, mut rows) = batch.packet(k);
-        one(s, run, layout, &packet.fragments(), TriangleId(distinct[k & (BATCH - 1)].ids[0]), &lanes, last, &mut rows);
+        one::<S, FULL>(
+            s,
+            run,
+            layout,
+            &packet.fragments(),
+            TriangleId(distinct[k & (BATCH - 1)].ids[0]),
+            &lanes,
+            last,
+            &mut rows,
+        );
         i += 1;
     }
 }
 
 #[inline(always)]
 #[expect(clippy::too_many_arguments, reason = "inlined")]
-fn one<S: Simd>(
+fn one<S: Simd, const FULL: bool>(
     s: S,
     run: &RunView<'_>,
     layout: &VaryingLayout,
@@ -71,12 +80,12 @@ fn one<S: Simd>(
             k += 1;
         }
     }
-    let both = Both::new::<false>(s, &last.prepared.weights(s, fragments.x, fragments.y), layout);
+    let both = Both::new::<FULL>(s, &last.prepared.weights::<FULL>(s, fragments.x, fragments.y), layout);
     let mut k = 0;
     while k < varyings {
         let [f0, d1, d2] = last.corners[k];
         let corner = Corner3 { f0: f32x16::splat(s, f0), d1: f32x16::splat(s, d1), d2: f32x16::splat(s, d2) };
-        both.set::<false>(layout, rows, k, corner);
+        both.set::<FULL>(layout, rows, k, corner);
         k += 1;
     }
 }

@@ -4,6 +4,7 @@ use crate::looks::{BlinnPhong, CutOpen, Gouraud, Holes, Stripes};
 use crate::primitives::{self, Facets, Row, Sprite, Sprites};
 use crate::shapes::{Shape, ground, knot, rectangle, slivers, soup};
 use crate::strokes::{self, Dots};
+use crate::textures::{self, Textured};
 use pineda::*;
 
 /// The format of a scene's picture.
@@ -43,6 +44,7 @@ pub(crate) enum Look {
     Sprites(Vec<Sprite>),
     CutOpen(CutOpen),
     Dots,
+    Textured(Textured),
 }
 
 impl Scene {
@@ -63,6 +65,7 @@ impl Layer {
             Look::Facets(row) => pass.draw(&Facets, Mesh { indices: row.indices(), ..mesh }, self.state),
             Look::CutOpen(look) => pass.draw(look, mesh, self.state),
             Look::Dots => pass.draw(&Dots, mesh, self.state),
+            Look::Textured(look) => pass.draw(look, mesh, self.state),
             Look::Sprites(sprites) => pass.draw_instanced(&Sprites, mesh, sprites, self.state),
         };
     }
@@ -112,6 +115,11 @@ pub(crate) fn all() -> Vec<Scene> {
         scene("stencil_operations", stencil_operations()),
         scene("stencil_outline_and_shadow", stencil_outline()),
         Scene { clear: [0.0; 4], ..scene("blend_operations_and_color_masks", blend_operations()) },
+        Scene { format: Format::Srgb, ..scene("texture_filters", textures::filters()) },
+        Scene { format: Format::Srgb, ..scene("texture_wraps", textures::wraps()) },
+        Scene { format: Format::Srgb, ..scene("texture_kinds", textures::kinds()) },
+        scene("texture_levels", textures::levels()),
+        Scene { format: Format::Srgb, ..scene("texture_checks", textures::checks()) },
     ]
 }
 

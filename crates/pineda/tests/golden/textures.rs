@@ -1,0 +1,210 @@
+//! Scenes with textures: every filter, wrap mode and kind, near and far.
+
+use crate::looks::Vertex;
+use crate::scenes::{Layer, Look, RASTER};
+use crate::shapes::Shape;
+use pineda::*;
+use std::sync::LazyLock;
+
+/// A texture on a surface whose colours are coordinates.
+pub(crate) struct Textured {
+    pub(crate) camera: Mat4,
+    pub(crate) show: Show,
+    pub(crate) sampler: Sampler,
+}
+
+/// Which texture, and how.
+#[derive(Clone, Copy)]
+pub(crate) enum Show {
+    /// Letters on a chequered ground.
+    Letters,
+    /// A chequered floor of black and white.
+    Checks,
+    /// Each level in a colour of its own.
+    Levels,
+    /// The layer that the third coordinate says.
+    Array,
+    /// The direction.
+    Cube,
+    /// All three coordinates.
+    Volume,
+    /// The third coordinate compared with the texture.
+    Compare,
+}
+
+struct Pictures {
+    letters: Texture2d<'static>,
+    checks: Texture2d<'static, R8>,
+    levels: Texture2d<'static, Rgba8>,
+    array: Texture2dArray<'static>,
+    cube: TextureCube<'static>,
+    volume: Texture3d<'static, Rgba16F>,
+    heights: Texture2d<'static, R32F>,
+}
+
+/// An arrow with a corner: it looks the same neither turned nor mirrored.
+const LETTER: [&str; 8] =
+    ["........", ".#####..", ".#......", ".####...", ".#......", ".#...##.", ".#...##.", "........"];
+
+/// 16 x 16 texels, a letter in each quarter.
+fn letters(tint: [u8; 3]) -> Vec<[u8; 4]> {
+    let texel = |k: usize| {
+        let (x, y) = (k % 16, k / 16);
+        let is_ink = LETTER[y % 8].as_bytes()[x % 8] == b'#';
+        let [r, g, b] = if is_ink { [250, 245, 230] } else { tint };
+        let dark = |c: u8| if (x / 8 + y / 8) % 2 == 0 || is_ink { c } else { c / 3 };
+        [dark(r), dark(g), dark(b), 255]
+    };
+    (0..256).map(texel).collect()
+}
+
+static PICTURES: LazyLock<Pictures> = LazyLock::new(|| {
+    let tints = [[200, 60, 40], [40, 130, 200], [60, 170, 70], [190, 150, 40], [150, 70, 180], [90, 160, 160]];
+    let checks: Vec<u8> = (0..64 * 64).map(|k| if (k / 32 % 2) ^ (k / 2048) == 0 { 255 } else { 0 }).collect();
+    let levels = [[255, 0, 0], [255, 160, 0], [240, 240, 0], [0, 200, 0], [0, 200, 220], [40, 60, 255], [200, 0, 200]];
+    let levels = levels.iter().enumerate().flat_map(|(level, &[r, g, b])| vec![[r, g, b, 255]; 4096 >> (2 * level)]);
+    let volume = (0..8 * 8 * 8).map(|k: u32| {
+        let at = [k % 8, k / 8 % 8, k / 64].map(|c| c as f32 / 7.0);
+        let is_in = at.iter().map(|c| (c - 0.5) * (c - 0.5)).sum::<f32>() < 0.2;
+        let [r, g, b] = if is_in { at } else { [0.02; 3] };
+        [r, g, b, 1.0].map(f32_to_f16)
+    });
+    let heights: Vec<f32> = (0..64).map(|k: u32| (k.wrapping_mul(0x9e37_79b1) >> 24) as f32 / 255.0).collect();
+    let all: Vec<_> = tints.iter().flat_map(|&tint| letters(tint)).collect();
+    let pictures = || -> Result<Pictures, Error> {
+        Ok(Pictures {
+            letters: Texture2d::new(16, 16, letters([200, 60, 40]))?.with_mips()?,
+            checks: Texture2d::new(64, 64, checks)?.with_mips()?,
+            levels: Texture2d::with_levels(64, 64, 7, levels.collect::<Vec<_>>())?,
+            array: Texture2dArray::new(16, 16, 6, all.clone())?.with_mips()?,
+            cube: TextureCube::new(16, all)?.with_mips()?,
+            volume: Texture3d::new(8, 8, 8, volume.collect::<Vec<_>>())?.with_mips()?,
+            heights: Texture2d::new(8, 8, heights)?,
+        })
+    };
+    pictures().expect("valid textures")
+});
+
+#[shader]
+impl Shader for Textured {
+    type Vertex = Vertex;
+    type Varyings<L: Lanes> = Vec3<L>;
+    const DERIVATIVES: bool = true;
+    fn vertex(&self, v: &Vertex) -> (Vec4, Vec3) {
+        let [u, v_, w, _] = v.color;
+        (self.camera * Vec4::from(v.position), [u, v_, w].into())
+    }
+    fn fragment<L: Lanes>(&self, f: &mut Fragment<L, Self>) -> Rgba<L> {
+        let (at, sampler, pictures) = (f.dual(), &self.sampler, &*PICTURES);
+        match self.show {
+            Show::Letters => pictures.letters.sample(sampler, at.xy()),
+            Show::Checks => Rgba::gray(pictures.checks.sample(sampler, at.xy()).r),
+            Show::Levels => pictures.levels.sample(sampler, at.xy()),
+            Show::Array => pictures.array.sample(sampler, at.xy(), f.z.floor().to_int()),
+            Show::Cube => pictures.cube.sample(sampler, at),
+            Show::Volume => pictures.volume.sample(sampler, at),
+            Show::Compare => Rgba::gray(pictures.heights.sample_compare(sampler, f.xy(), f.z)),
+        }
+    }
+}
+
+/// A rectangle in pixels with coordinates at its corners: upper left, upper right, lower right, lower left.
+fn rectangle([x, y, width, height]: [f32; 4], coordinates: [[f32; 3]; 4], show: Show, sampler: Sampler) -> Layer {
+    let corners = [[x, y], [x + width, y], [x + width, y + height], [x, y + height]];
+    let vertex = |k: usize| Vertex {
+        position: [corners[k][0], corners[k][1], 0.5, 1.0],
+        color: [coordinates[k][0], coordinates[k][1], coordinates[k][2], 1.0],
+        ..Vertex::default()
+    };
+    let shape = Shape { vertices: (0..4).map(vertex).collect(), indices: vec![0, 1, 2, 0, 2, 3] };
+    Layer { shape, look: Look::Textured(Textured { camera: Mat4::IDENTITY, show, sampler }), state: RASTER }
+}
+
+/// Coordinates from (low, low) to (high, high), the third the same.
+fn square(low: f32, high: f32, third: f32) -> [[f32; 3]; 4] {
+    [[low, low, third], [high, low, third], [high, high, third], [low, high, third]]
+}
+
+/// A floor from below the eye to the horizon, coordinates as large as places.
+fn floor([x, width]: [f32; 2], show: Show, sampler: Sampler) -> Layer {
+    let viewport = Viewport { x, y: 4.0, width, height: 195.0, min_depth: 0.0, max_depth: 1.0 };
+    let camera = Mat4::perspective(0.9, width / 195.0, 0.1, 500.0)
+        * Mat4::look_at([0.0, 1.0, 0.0], [0.1, 0.82, -1.0], [0.0, 1.0, 0.0]);
+    let corners = [[-300.0, 300.0], [300.0, 300.0], [300.0, -400.0], [-300.0, -400.0]];
+    let vertex = |[x, z]: [f32; 2]| Vertex {
+        position: [x, 0.0, z, 1.0],
+        color: [0.5 * x, 0.5 * z, 0.0, 1.0],
+        ..Vertex::default()
+    };
+    let shape = Shape { vertices: corners.map(vertex).into(), indices: vec![0, 1, 2, 0, 2, 3] };
+    let state = DrawState { viewport: Some(viewport), ..DrawState::default() };
+    Layer { shape, look: Look::Textured(Textured { camera, show, sampler }), state }
+}
+
+/// Nearest, bilinear, trilinear and anisotropic: large above, small below.
+pub(crate) fn filters() -> Vec<Layer> {
+    let samplers = [Sampler::NEAREST, Sampler::BILINEAR, Sampler::TRILINEAR, Sampler::ANISOTROPIC];
+    let mut layers = Vec::new();
+    for (k, sampler) in samplers.into_iter().enumerate() {
+        let x = 3.0 + 78.5 * k as f32;
+        layers.push(rectangle([x, 4.0, 75.0, 75.0], square(0.05, 0.6, 0.0), Show::Letters, sampler));
+        // As many texels as pixels at the left, eight times as many at the right.
+        let narrowing = [[0.0, 0.0, 0.0], [20.0, 0.0, 0.0], [12.0, 6.0, 0.0], [0.0, 2.0, 0.0]];
+        layers.push(rectangle([x, 83.0, 75.0, 56.0], narrowing, Show::Letters, sampler));
+        let flat = [[0.0, 0.0, 0.0], [5.0, 0.0, 0.0], [5.0, 40.0, 0.0], [0.0, 40.0, 0.0]];
+        layers.push(rectangle([x, 143.0, 75.0, 56.0], flat, Show::Letters, sampler));
+    }
+    layers
+}
+
+/// Repeat, mirror, clamp and border, from two textures left to two right: nearest above, linear below.
+pub(crate) fn wraps() -> Vec<Layer> {
+    let mut layers = Vec::new();
+    for (row, sampler) in [Sampler::NEAREST, Sampler::TRILINEAR].into_iter().enumerate() {
+        for (k, wrap) in [Wrap::Repeat, Wrap::Mirror, Wrap::Clamp, Wrap::Border].into_iter().enumerate() {
+            let sampler = Sampler { wrap: [wrap; 3], border: [0.1, 0.3, 0.8, 1.0], ..sampler };
+            let place = [3.0 + 78.5 * k as f32, 4.0 + 99.0 * row as f32, 75.0, 96.0];
+            layers.push(rectangle(place, square(-1.3, 2.3, 0.0), Show::Letters, sampler));
+        }
+    }
+    layers
+}
+
+/// Layers of an array; a cube from outside, by direction; slices of a volume; comparisons, nearest and filtered.
+pub(crate) fn kinds() -> Vec<Layer> {
+    let mut layers = Vec::new();
+    for layer in 0..4u8 {
+        let place = [3.0 + 39.0 * f32::from(layer), 4.0, 37.0, 60.0];
+        layers.push(rectangle(place, square(0.0, 1.0, f32::from(layer) + 0.5), Show::Array, Sampler::TRILINEAR));
+        let third = (f32::from(layer) + 0.5) / 4.0;
+        let place = [3.0 + 39.0 * f32::from(layer), 68.0, 37.0, 60.0];
+        layers.push(rectangle(place, square(0.0, 1.0, third), Show::Volume, Sampler::TRILINEAR));
+    }
+    // Three faces, their edges and their corner; and one across two edges only, seen large.
+    let directions = [[-1.0, 1.2, 1.0], [1.2, 1.0, -1.0], [1.0, -1.2, 1.2], [-1.2, -1.0, 1.3]];
+    layers.push(rectangle([161.0, 4.0, 153.0, 124.0], directions, Show::Cube, Sampler::BILINEAR));
+    let corner = [[0.6, 1.0, 0.8], [1.0, 1.0, 0.6], [1.0, 0.6, 1.0], [0.8, 0.8, 1.2]];
+    layers.push(rectangle([161.0, 132.0, 74.0, 67.0], corner, Show::Cube, Sampler::BILINEAR));
+    let nearest = Sampler { mag_filter: Filter::Nearest, ..Sampler::SHADOW };
+    for (x, sampler) in [(3.0, nearest), (82.0, Sampler::SHADOW)] {
+        let slope = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.2], [1.0, 1.0, 1.0], [0.0, 1.0, 0.8]];
+        layers.push(rectangle([x, 132.0, 75.0, 67.0], slope, Show::Compare, sampler));
+    }
+    layers.push(rectangle([239.0, 132.0, 75.0, 67.0], square(0.0, 14.0, 0.5), Show::Volume, Sampler::TRILINEAR));
+    layers
+}
+
+/// Each level in its colour: to the nearest level, trilinear, anisotropic.
+pub(crate) fn levels() -> Vec<Layer> {
+    let samplers = [Sampler::BILINEAR, Sampler::TRILINEAR, Sampler::ANISOTROPIC];
+    let floors = samplers.into_iter().enumerate();
+    floors.map(|(k, sampler)| floor([3.0 + 105.0 * k as f32, 101.0], Show::Levels, sampler)).collect()
+}
+
+/// A chequered floor: trilinear on the left, anisotropic on the right.
+pub(crate) fn checks() -> Vec<Layer> {
+    vec![
+        floor([3.0, 154.0], Show::Checks, Sampler::TRILINEAR),
+        floor([160.0, 154.0], Show::Checks, Sampler::ANISOTROPIC),
+    ]
+}
