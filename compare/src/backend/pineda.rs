@@ -4,7 +4,7 @@ use super::Backend;
 use crate::scene::{BlinnPhong, CLEAR_COLOR, HEIGHT, Output, Scene, Shading, TEXTURE_SIZE, Vertex, WIDTH, gray};
 use anyhow::Result;
 use pineda::{
-    Blend, ColorBuffer, Cull, DepthBuffer, DepthState, DrawState, Fragment, Indices, Lanes, Mat4, Mesh, Pass, R32F,
+    Blend, ColorBuffer, Cull, DepthBuffer, DepthState, DrawState, Fragment, Indices, Lanes, Mat4, Mesh, Pass, R16,
     Real, Renderer, Rgba, Rgba8, Sampler, Settings, Shader, Simd, Target, Texture2d, Vec2, Vec3, Vec4, Wrap, shader,
     varyings,
 };
@@ -260,7 +260,7 @@ impl Shader for Floor<'_> {
 struct Shadowed<'a> {
     clip_from_world: Mat4,
     uniforms: BlinnPhong,
-    shadow_map: Texture2d<'a, R32F>,
+    shadow_map: Texture2d<'a, R16>,
     sampler: Sampler,
 }
 

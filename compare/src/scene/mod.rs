@@ -121,7 +121,7 @@ pub(crate) struct Scene {
     pub(crate) output: Output,
     pub(crate) textures: Vec<Texture>,
     /// As large as a texture; empty without shadows.
-    pub(crate) shadow_map: Vec<f32>,
+    pub(crate) shadow_map: Vec<u16>,
 }
 
 impl Scene {

@@ -46,8 +46,8 @@ impl Texture {
     }
 }
 
-/// A depth map: waves, 0 to 1.
-pub(super) fn waves() -> Vec<f32> {
+/// A depth map of 16 bits: waves.
+pub(super) fn waves() -> Vec<u16> {
     let wave = |k: u32| libm::sinf(std::f32::consts::TAU * 12.0 * k as f32 / SIZE as f32);
-    (0..SIZE * SIZE).map(|k| 0.5 + 0.2 * wave(k % SIZE) * wave(k / SIZE)).collect()
+    (0..SIZE * SIZE).map(|k| (32_768.0 + 13_000.0 * wave(k % SIZE) * wave(k / SIZE)) as u16).collect()
 }

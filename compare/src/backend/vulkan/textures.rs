@@ -24,7 +24,7 @@ impl Textures {
         let anisotropy_clamp = if scene.shading == Shading::Floor { 16 } else { 1 };
         let comparison = wgpu::SamplerDescriptor { compare: Some(wgpu::CompareFunction::LessEqual), ..repeat.clone() };
         let shadow_map = (!scene.shadow_map.is_empty()).then(|| {
-            let format = wgpu::TextureFormat::Depth32Float;
+            let format = wgpu::TextureFormat::Depth16Unorm;
             upload(device, queue, format, 1, bytemuck::cast_slice(&scene.shadow_map))
         });
         let color = |Texture { levels }: &Texture| {
