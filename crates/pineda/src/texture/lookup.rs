@@ -35,33 +35,44 @@ impl<F: Filterable> Lookup<'_, '_, F> {
         let (image, sampler) = (self.image, self.sampler);
         let level = &image.levels[0];
         let most = if K::IS_STRUNG { sampler.most_lookups() } else { 1 };
-        if most == 1 {
-            let lod = if sampler.needs_lod(image) { gradient.lod::<AXES>(level) + bias } else { bias };
-            return self.at_lod::<L, K, M>(place, sampler.in_range(lod), mapping);
-        }
-        let line = gradient.line(level, most);
-        let lod = sampler.in_range(line.lod + bias);
-        let step =
-            [line.is_down.select(gradient.dy[0], gradient.dx[0]), line.is_down.select(gradient.dy[1], gradient.dx[1])];
+        let (lod, count, step) = if most == 1 {
+            let lod = if sampler.needs_lod(image) { gradient.lod::<AXES>(level) } else { Real::new(bias.lanes(), 0.0) };
+            (lod, Real::new(bias.lanes(), 1.0), [gradient.dx[0], gradient.dx[1]])
+        } else {
+            let line = gradient.line(level, most);
+            let step = [
+                line.is_down.select(gradient.dy[0], gradient.dx[0]),
+                line.is_down.select(gradient.dy[1], gradient.dx[1]),
+            ];
+            (line.lod, line.count, step)
+        };
+        let lod = sampler.in_range(lod + bias);
         let [u, v, w] = place.at;
         let mut sum = [lod; 4];
         let mut i = 0.0;
+        // A single lookup is a line of one: the code for it is there once.
         loop {
-            let along = (i + 0.5) / line.count - 0.5;
-            let at = [u + step[0] * along, v + step[1] * along, w];
+            let mut at = place.at;
+            if most > 1 {
+                let along = (i + 0.5) / count - 0.5;
+                at = [u + step[0] * along, v + step[1] * along, w];
+            }
             let value = self.at_lod::<L, K, M>(Place { at, ..place }, lod, mapping);
-            let counts = line.count.gt(i);
+            let counts = count.gt(i);
             let mut k = 0;
             while k < 4 {
                 sum[k] = if i == 0.0 { value[k] } else { counts.select(sum[k] + value[k], sum[k]) };
                 k += 1;
             }
             i += 1.0;
-            if !line.count.gt(i).any() {
+            if most == 1 || !count.gt(i).any() {
                 break;
             }
         }
-        [sum[0] / line.count, sum[1] / line.count, sum[2] / line.count, sum[3] / line.count]
+        if most > 1 {
+            sum = [sum[0] / count, sum[1] / count, sum[2] / count, sum[3] / count];
+        }
+        sum
     }
 }
 

@@ -118,7 +118,7 @@ pub(crate) fn all() -> Vec<Scene> {
         Scene { format: Format::Srgb, ..scene("texture_filters", textures::filters()) },
         Scene { format: Format::Srgb, ..scene("texture_wraps", textures::wraps()) },
         Scene { format: Format::Srgb, ..scene("texture_kinds", textures::kinds()) },
-        scene("texture_levels", textures::levels()),
+        Scene { format: Format::Srgb, ..scene("texture_levels", textures::levels()) },
         Scene { format: Format::Srgb, ..scene("texture_checks", textures::checks()) },
     ]
 }

@@ -22,8 +22,6 @@ pub(crate) enum Show {
     Checks,
     /// Each level in a colour of its own.
     Levels,
-    /// The layer that the third coordinate says.
-    Array,
     /// The direction.
     Cube,
     /// All three coordinates.
@@ -34,11 +32,10 @@ pub(crate) enum Show {
 
 struct Pictures {
     letters: Texture2d<'static>,
-    checks: Texture2d<'static, R8>,
-    levels: Texture2d<'static, Rgba8>,
-    array: Texture2dArray<'static>,
+    checks: Texture2d<'static>,
+    levels: Texture2d<'static>,
     cube: TextureCube<'static>,
-    volume: Texture3d<'static, Rgba16F>,
+    volume: Texture3d<'static>,
     heights: Texture2d<'static, R32F>,
 }
 
@@ -60,14 +57,15 @@ fn letters(tint: [u8; 3]) -> Vec<[u8; 4]> {
 
 static PICTURES: LazyLock<Pictures> = LazyLock::new(|| {
     let tints = [[200, 60, 40], [40, 130, 200], [60, 170, 70], [190, 150, 40], [150, 70, 180], [90, 160, 160]];
-    let checks: Vec<u8> = (0..64 * 64).map(|k| if (k / 32 % 2) ^ (k / 2048) == 0 { 255 } else { 0 }).collect();
+    let checks: Vec<[u8; 4]> =
+        (0..64 * 64).map(|k| if (k / 32 % 2) ^ (k / 2048) == 0 { [255; 4] } else { [0, 0, 0, 255] }).collect();
     let levels = [[255, 0, 0], [255, 160, 0], [240, 240, 0], [0, 200, 0], [0, 200, 220], [40, 60, 255], [200, 0, 200]];
     let levels = levels.iter().enumerate().flat_map(|(level, &[r, g, b])| vec![[r, g, b, 255]; 4096 >> (2 * level)]);
     let volume = (0..8 * 8 * 8).map(|k: u32| {
         let at = [k % 8, k / 8 % 8, k / 64].map(|c| c as f32 / 7.0);
         let is_in = at.iter().map(|c| (c - 0.5) * (c - 0.5)).sum::<f32>() < 0.2;
         let [r, g, b] = if is_in { at } else { [0.02; 3] };
-        [r, g, b, 1.0].map(f32_to_f16)
+        [r, g, b, 1.0].map(|c| (c * 255.0) as u8)
     });
     let heights: Vec<f32> = (0..64).map(|k: u32| (k.wrapping_mul(0x9e37_79b1) >> 24) as f32 / 255.0).collect();
     let all: Vec<_> = tints.iter().flat_map(|&tint| letters(tint)).collect();
@@ -76,7 +74,6 @@ static PICTURES: LazyLock<Pictures> = LazyLock::new(|| {
             letters: Texture2d::new(16, 16, letters([200, 60, 40]))?.with_mips()?,
             checks: Texture2d::new(64, 64, checks)?.with_mips()?,
             levels: Texture2d::with_levels(64, 64, 7, levels.collect::<Vec<_>>())?,
-            array: Texture2dArray::new(16, 16, 6, all.clone())?.with_mips()?,
             cube: TextureCube::new(16, all)?.with_mips()?,
             volume: Texture3d::new(8, 8, 8, volume.collect::<Vec<_>>())?.with_mips()?,
             heights: Texture2d::new(8, 8, heights)?,
@@ -96,11 +93,13 @@ impl Shader for Textured {
     }
     fn fragment<L: Lanes>(&self, f: &mut Fragment<L, Self>) -> Rgba<L> {
         let (at, sampler, pictures) = (f.dual(), &self.sampler, &*PICTURES);
+        let flat = match self.show {
+            Show::Checks => &pictures.checks,
+            Show::Levels => &pictures.levels,
+            _ => &pictures.letters,
+        };
         match self.show {
-            Show::Letters => pictures.letters.sample(sampler, at.xy()),
-            Show::Checks => Rgba::gray(pictures.checks.sample(sampler, at.xy()).r),
-            Show::Levels => pictures.levels.sample(sampler, at.xy()),
-            Show::Array => pictures.array.sample(sampler, at.xy(), f.z.floor().to_int()),
+            Show::Letters | Show::Checks | Show::Levels => flat.sample(sampler, at.xy()),
             Show::Cube => pictures.cube.sample(sampler, at),
             Show::Volume => pictures.volume.sample(sampler, at),
             Show::Compare => Rgba::gray(pictures.heights.sample_compare(sampler, f.xy(), f.z)),
@@ -170,14 +169,12 @@ pub(crate) fn wraps() -> Vec<Layer> {
     layers
 }
 
-/// Layers of an array; a cube from outside, by direction; slices of a volume; comparisons, nearest and filtered.
+/// Slices of a volume; a cube from outside, by direction; comparisons, nearest and filtered.
 pub(crate) fn kinds() -> Vec<Layer> {
     let mut layers = Vec::new();
-    for layer in 0..4u8 {
-        let place = [3.0 + 39.0 * f32::from(layer), 4.0, 37.0, 60.0];
-        layers.push(rectangle(place, square(0.0, 1.0, f32::from(layer) + 0.5), Show::Array, Sampler::TRILINEAR));
-        let third = (f32::from(layer) + 0.5) / 4.0;
-        let place = [3.0 + 39.0 * f32::from(layer), 68.0, 37.0, 60.0];
+    for slice in 0..8u8 {
+        let third = (f32::from(slice) + 0.5) / 8.0;
+        let place = [3.0 + 39.0 * f32::from(slice % 4), 4.0 + 64.0 * f32::from(slice / 4), 37.0, 60.0];
         layers.push(rectangle(place, square(0.0, 1.0, third), Show::Volume, Sampler::TRILINEAR));
     }
     // Three faces, their edges and their corner; and one across two edges only, seen large.
