@@ -131,7 +131,7 @@ pub fn draw(settings: Settings) -> Result<Vec<[u8; 4]>, Error> {
         * Mat4::look_at([16.5, 18.6, 16.8], [0.0, 0.0, 0.0], [0.0, 1.0, 0.0]);
     let from_light = FromLight { light };
     // Surfaces that the light grazes must not shadow themselves.
-    let depth_bias = DepthBias { constant: 0.0, slope: 2.5, clamp: 0.0 };
+    let depth_bias = DepthBias { constant: 0.0, slope: 4.0, clamp: 0.0 };
     let mut pass = Pass::new();
     pass.draw(&from_light, mesh, DrawState { cull: Cull::Back, depth_bias, ..DrawState::default() });
     let mut depth = vec![0.0; (MAP * MAP) as usize];

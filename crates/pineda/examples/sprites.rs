@@ -17,6 +17,7 @@ const PICTURE: u32 = 64;
 const SIDE: u32 = 2;
 
 /// Where a sprite is.
+#[derive(Clone, Copy)]
 pub struct Sprite {
     middle: [f32; 2],
     size: f32,

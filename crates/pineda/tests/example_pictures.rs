@@ -68,25 +68,25 @@ fn depth_prepass_picture() {
 
 #[test]
 fn environment_picture() {
-    check(environment::draw, 0);
+    check(environment::draw, 0x3804_cc29_6519_1d6d);
 }
 
 #[test]
 fn normal_mapping_picture() {
-    check(normal_mapping::draw, 0);
+    check(normal_mapping::draw, 0x5d16_d177_735f_1ccd);
 }
 
 #[test]
 fn post_process_picture() {
-    check(post_process::draw, 0);
+    check(post_process::draw, 0xffd3_66ea_0555_33fd);
 }
 
 #[test]
 fn shadow_map_picture() {
-    check(shadow_map::draw, 0);
+    check(shadow_map::draw, 0xf05c_7077_1870_850b);
 }
 
 #[test]
 fn sprites_picture() {
-    check(sprites::draw, 0);
+    check(sprites::draw, 0xbd86_6930_faa7_7af5);
 }

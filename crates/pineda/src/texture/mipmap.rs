@@ -92,7 +92,6 @@ fn halve<const BY_ALPHA: bool>(from: Extent, to: Extent, out: &mut Vec<[f32; 4]>
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use crate::texture::{R32F, Rgba8, Rgba8Srgb, Texture2d, Texture3d};
 
     fn floats(texture: &Texture2d<'_, R32F>, level: u32) -> Vec<f32> {
