@@ -248,7 +248,7 @@ macro_rules! formats {
 
     (@ Unorm16 $name:ident $channel:ident $count:literal $texel:ty) => {
         impl TextureFormat for $name {
-            formats!(@common $name Unorm16 $channel $count $texel, ($count + 1) / 2);
+            formats!(@common $name Unorm16 $channel $count $texel, usize::div_ceil($count, 2));
             formats!(@float);
             #[inline(always)]
             fn words(texel: $texel, _: &Decoded) -> [u32; 4] {
@@ -280,7 +280,7 @@ macro_rules! formats {
 
     (@ Half $name:ident $channel:ident $count:literal $texel:ty) => {
         impl TextureFormat for $name {
-            formats!(@common $name Half $channel $count $texel, ($count + 1) / 2);
+            formats!(@common $name Half $channel $count $texel, usize::div_ceil($count, 2));
             formats!(@float);
             #[inline(always)]
             fn words(texel: $texel, _: &Decoded) -> [u32; 4] {

@@ -48,7 +48,7 @@ fn covered(from: u32, to: u32, i: u32) -> (u32, [f64; 3], usize) {
     let n = f64::from(from);
     if from == to {
         (i, [1.0, 0.0, 0.0], 1)
-    } else if from % 2 == 0 {
+    } else if from.is_multiple_of(2) {
         (2 * i, [0.5, 0.5, 0.0], 2)
     } else {
         (2 * i, [f64::from(to - i) / n, f64::from(to) / n, f64::from(i + 1) / n], 3)
