@@ -49,7 +49,7 @@ impl Peer {
         }
     }
 
-    /// Whether it can draw the scene: euc is asked for pictures of opaque surfaces without textures only.
+    /// Whether it can draw the scene: euc is asked for pictures of opaque surfaces without textures, one sample a pixel, only.
     pub(crate) fn draws(self, scene: SceneName) -> bool {
         self != Self::Euc
             || matches!(

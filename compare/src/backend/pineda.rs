@@ -5,8 +5,8 @@ use crate::scene::{BlinnPhong, CLEAR_COLOR, HEIGHT, Output, Scene, Shading, TEXT
 use anyhow::Result;
 use pineda::{
     Blend, ColorBuffer, Cull, DepthBuffer, DepthState, DrawState, Fragment, Indices, Lanes, Mat4, Mesh, Pass, R16,
-    Real, Renderer, Rgba, Rgba8, Sampler, Settings, Shader, Simd, Target, Texture2d, Vec2, Vec3, Vec4, Wrap, shader,
-    varyings,
+    Real, Renderer, Rgba, Rgba8, Sampler, Samples, Settings, Shader, Simd, Target, Texture2d, Vec2, Vec3, Vec4, Wrap,
+    shader, varyings,
 };
 use std::borrow::Cow;
 
@@ -95,7 +95,8 @@ impl Backend for Pineda {
                 pass.draw(&five, mesh, back_faces)
             }
         };
-        let mut target = Target::new(WIDTH, HEIGHT);
+        let samples = if self.scene.samples == 4 { Samples::Four } else { Samples::One };
+        let mut target = Target { samples, ..Target::new(WIDTH, HEIGHT) };
         match self.scene.output {
             Output::Color => target.color = ColorBuffer::Rgba8(&mut self.pixels),
             Output::Depth => target.depth = DepthBuffer::D32F(&mut self.depth),

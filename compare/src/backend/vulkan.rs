@@ -26,6 +26,8 @@ pub(super) struct Vulkan {
     index_count: u32,
     /// None for depth only.
     color: Option<wgpu::Texture>,
+    /// What is averaged to `color`, if pixels have several samples.
+    samples: Option<wgpu::Texture>,
     depth: wgpu::Texture,
     output: Output,
     readback: wgpu::Buffer,
@@ -69,8 +71,19 @@ impl Vulkan {
         });
         Ok(Self {
             version,
-            color: color_format(scene.output).map(|format| texture(&device, format, wgpu::TextureUsages::COPY_SRC)),
-            depth: texture(&device, DEPTH_FORMAT, wgpu::TextureUsages::COPY_SRC),
+            color: color_format(scene.output).map(|format| texture(&device, format, 1, wgpu::TextureUsages::COPY_SRC)),
+            samples: (scene.samples > 1)
+                .then(|| texture(&device, COLOR_FORMAT, scene.samples, wgpu::TextureUsages::empty())),
+            depth: texture(
+                &device,
+                DEPTH_FORMAT,
+                scene.samples,
+                if scene.output == Output::Depth {
+                    wgpu::TextureUsages::COPY_SRC
+                } else {
+                    wgpu::TextureUsages::empty()
+                },
+            ),
             output: scene.output,
             device,
             queue,
@@ -86,6 +99,8 @@ impl Vulkan {
 
     fn encode(&self) -> wgpu::CommandBuffer {
         let color_view = self.color.as_ref().map(|color| color.create_view(&wgpu::TextureViewDescriptor::default()));
+        let samples_view =
+            self.samples.as_ref().map(|samples| samples.create_view(&wgpu::TextureViewDescriptor::default()));
         let depth_view = self.depth.create_view(&wgpu::TextureViewDescriptor::default());
         let [r, g, b, a] = match self.output {
             Output::Ids => [f64::from(u32::MAX); 4],
@@ -93,13 +108,14 @@ impl Vulkan {
         };
         let depth_store = if self.color.is_none() { wgpu::StoreOp::Store } else { wgpu::StoreOp::Discard };
         let color_attachment = color_view.as_ref().map(|view| {
+            let resolved = samples_view.is_some();
             Some(wgpu::RenderPassColorAttachment {
-                view,
+                view: samples_view.as_ref().unwrap_or(view),
                 depth_slice: None,
-                resolve_target: None,
+                resolve_target: resolved.then_some(view),
                 ops: wgpu::Operations {
                     load: wgpu::LoadOp::Clear(wgpu::Color { r, g, b, a }),
-                    store: wgpu::StoreOp::Store,
+                    store: if resolved { wgpu::StoreOp::Discard } else { wgpu::StoreOp::Store },
                 },
             })
         });
@@ -225,7 +241,7 @@ fn pipeline(device: &wgpu::Device, scene: &Scene) -> wgpu::RenderPipeline {
             stencil: wgpu::StencilState::default(),
             bias: wgpu::DepthBiasState::default(),
         }),
-        multisample: wgpu::MultisampleState::default(),
+        multisample: wgpu::MultisampleState { count: scene.samples, ..wgpu::MultisampleState::default() },
         fragment: target.is_some().then_some(wgpu::FragmentState {
             module: &module,
             entry_point: Some(fragment),
@@ -237,12 +253,17 @@ fn pipeline(device: &wgpu::Device, scene: &Scene) -> wgpu::RenderPipeline {
     })
 }
 
-fn texture(device: &wgpu::Device, format: wgpu::TextureFormat, usage: wgpu::TextureUsages) -> wgpu::Texture {
+fn texture(
+    device: &wgpu::Device,
+    format: wgpu::TextureFormat,
+    samples: u32,
+    usage: wgpu::TextureUsages,
+) -> wgpu::Texture {
     device.create_texture(&wgpu::TextureDescriptor {
         label: None,
         size: picture_size(),
         mip_level_count: 1,
-        sample_count: 1,
+        sample_count: samples,
         dimension: wgpu::TextureDimension::D2,
         format,
         usage: usage | wgpu::TextureUsages::RENDER_ATTACHMENT,

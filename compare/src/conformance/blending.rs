@@ -1,13 +1,15 @@
 //! Blending: every pair of factors that WebGPU has with every operation, colour masks, on each format.
 //!
-//! Within one code of 8 bits; of f32 within five roundings of what is added ([`Exact::sizes`]). Where two answers are further apart, the equation in f64 says which is right.
+//! Within one code of 8 bits; halves that are neighbours, for Vulkan allows both ("Floating-Point Format Conversions"); of f32 within five roundings of what is added ([`Exact::sizes`]). Where two answers are further apart, the equation in f64 says which is right.
 
 use super::Bench;
 use super::depth::cells;
 use super::sheet::{Colors, Draw, Interpolation, Sheet, Vertex, clip_position};
 use super::tally::{Row, Tally};
 use anyhow::Result;
-use pineda::{Blend, BlendComponent, BlendFactor, BlendOperation, ColorMask, DepthState, DrawState};
+use pineda::{
+    Blend, BlendComponent, BlendFactor, BlendOperation, ColorMask, DepthState, DrawState, f16_to_f32, f32_to_f16,
+};
 use pineda_oracle::cases::Random;
 
 const SIDE: u32 = 512;
@@ -43,6 +45,11 @@ pub(crate) fn srgb8(bench: &mut Bench, tally: &mut Tally) -> Result<()> {
     blending(bench, tally, Format::Srgb8)
 }
 
+/// Halves, which are not clamped.
+pub(crate) fn float16(bench: &mut Bench, tally: &mut Tally) -> Result<()> {
+    blending(bench, tally, Format::Float16)
+}
+
 /// Floats, which are not clamped.
 pub(crate) fn float32(bench: &mut Bench, tally: &mut Tally) -> Result<()> {
     if bench.theirs.blends_floats() { blending(bench, tally, Format::Float32) } else { Ok(()) }
@@ -52,6 +59,7 @@ pub(crate) fn float32(bench: &mut Bench, tally: &mut Tally) -> Result<()> {
 enum Format {
     Unorm8,
     Srgb8,
+    Float16,
     Float32,
 }
 
@@ -66,6 +74,7 @@ fn blending(bench: &mut Bench, tally: &mut Tally, format: Format) -> Result<()> 
         };
         let sources = floats(pixels);
         sheet.colors = match format {
+            Format::Float16 => Colors::Float16(floats(pixels).into_iter().map(|color| color.map(f32_to_f16)).collect()),
             Format::Float32 => Colors::Float32(floats(pixels)),
             Format::Unorm8 => Colors::Unorm8((0..pixels).map(|_| [0; 4].map(|_| random.bits() as u8)).collect()),
             Format::Srgb8 => Colors::Srgb8((0..pixels).map(|_| [0; 4].map(|_| random.bits() as u8)).collect()),
@@ -108,7 +117,25 @@ fn blending(bench: &mut Bench, tally: &mut Tally, format: Format) -> Result<()> 
             let [there, our, their] = [&sheet.colors, &ours.colors, &theirs.colors].map(|colors| stored(colors, at));
             let exact = Exact::new(format, Arithmetic::Exact, state, sources[at], there);
             for k in 0..4 {
-                let unit = if format == Format::Float32 { exact.sizes[k] * ROUNDINGS } else { 1.0 };
+                let rounding = exact.sizes[k] * ROUNDINGS;
+                let unit = match format {
+                    Format::Unorm8 | Format::Srgb8 => 1.0,
+                    Format::Float16 => rounding + half_step(exact.stored[k]),
+                    Format::Float32 => rounding,
+                };
+                let half = half_step(exact.stored[k]);
+                let is_nearest = (our[k] - exact.stored[k]).abs() <= rounding + 0.5 * half;
+                // llvmpipe rounds to halves towards zero (`lp_build_float_to_half`), as D3D11.3 has it.
+                let is_towards_zero = their[k].abs() <= exact.stored[k].abs() + rounding;
+                if format == Format::Float16 && !(is_nearest && is_towards_zero) {
+                    tally.differs(None, || {
+                        let exact = exact.stored[k];
+                        format!(
+                            "seed {seed}, halves, channel {k}: pineda {}, lavapipe {}, exact {exact}",
+                            our[k], their[k]
+                        )
+                    });
+                }
                 let difference = (our[k] - their[k]).abs();
                 if difference <= unit {
                     tally.allow(if difference > 0.0 { difference / unit } else { 0.0 });
@@ -117,7 +144,7 @@ fn blending(bench: &mut Bench, tally: &mut Tally, format: Format) -> Result<()> 
                 let row = match format {
                     Format::Unorm8 => Some(Row::EightBitBlending),
                     Format::Srgb8 if k < 3 => Some(Row::SrgbPolynomial),
-                    Format::Srgb8 | Format::Float32 => None,
+                    Format::Srgb8 | Format::Float16 | Format::Float32 => None,
                 };
                 // Ours must be the nearest code, and theirs what their arithmetic gives, within a code.
                 let model = Exact::new(format, Arithmetic::Lavapipe, state, sources[at], there);
@@ -156,6 +183,8 @@ fn channel(random: &mut Random, format: Format) -> f32 {
         0 => random.pick(&[0.0, 1.0, 0.5]),
         1 => random.between(0, 255) as f32 / 255.0,
         2 if format == Format::Float32 => random.sign() * random.magnitude(-10, 10),
+        // Products stay below 65504.
+        2 if format == Format::Float16 => random.sign() * random.magnitude(-10, 6),
         2 => random.real(-1.0, 2.0),
         _ => random.unit(),
     }
@@ -174,6 +203,7 @@ fn pixel(sheet: &Sheet, [x, y]: [u32; 2], color: [f32; 4]) -> [Vertex; 3] {
 fn stored(colors: &Colors, at: usize) -> [f64; 4] {
     match colors {
         Colors::Unorm8(codes) | Colors::Srgb8(codes) => codes[at].map(f64::from),
+        Colors::Float16(colors) => colors[at].map(|bits| f16_to_f32(bits).into()),
         Colors::Float32(colors) => colors[at].map(f64::from),
     }
 }
@@ -197,14 +227,14 @@ struct Exact {
 
 impl Exact {
     fn new(format: Format, arithmetic: Arithmetic, state: &DrawState, source: [f32; 4], there: [f64; 4]) -> Self {
-        let is_unorm = format != Format::Float32;
+        let is_unorm = matches!(format, Format::Unorm8 | Format::Srgb8);
         let clamped = |x: f64| if is_unorm { x.clamp(0.0, 1.0) } else { x };
         let is_theirs = arithmetic == Arithmetic::Lavapipe;
         let rounds = is_theirs && format == Format::Unorm8;
         let given = |x: f64| if rounds { (clamped(x) * 255.0).round() / 255.0 } else { clamped(x) };
         let source = source.map(|x| given(x.into()));
         let decoded = |k: usize| match format {
-            Format::Float32 => there[k],
+            Format::Float16 | Format::Float32 => there[k],
             Format::Srgb8 if k < 3 && is_theirs => decode_by_polynomial(there[k]),
             Format::Srgb8 if k < 3 => decode(there[k]),
             Format::Unorm8 | Format::Srgb8 => there[k] / 255.0,
@@ -250,7 +280,7 @@ impl Exact {
             let result = clamped(result);
             exact.sizes[k] = s.abs() + t.abs();
             exact.stored[k] = match format {
-                Format::Float32 => result,
+                Format::Float16 | Format::Float32 => result,
                 Format::Srgb8 if k < 3 => encode(result),
                 Format::Unorm8 | Format::Srgb8 => 255.0 * result,
             };
@@ -269,6 +299,12 @@ fn decode(code: f64) -> f64 {
 fn decode_by_polynomial(code: f64) -> f64 {
     let v = code / 255.0;
     if code <= 15.0 { v / 12.6 } else { ((0.3012 * v + 0.6935) * v + 0.0030) * v + 0.0023 }
+}
+
+/// From one half to the next larger one.
+fn half_step(x: f64) -> f64 {
+    let exponent = x.abs().max(1.0 / 16384.0).log2().floor();
+    exponent.exp2() / 1024.0
 }
 
 /// The code on the curve, with its fraction.

@@ -28,7 +28,7 @@ pub(crate) fn lists(bench: &mut Bench, tally: &mut Tally) -> Result<()> {
             break;
         }
     }
-    compare(bench, shapes, tally, |_, _| None)
+    compare(bench, shapes, tally, |_, _, _| None)
 }
 
 /// Strips, many in a draw: a walk from point to point, back and forth, on the spot. The first vertex of each triangle provokes.
@@ -47,7 +47,7 @@ pub(crate) fn strips(bench: &mut Bench, tally: &mut Tally) -> Result<()> {
         shape
     });
     let shapes = shapes.collect();
-    compare(bench, shapes, tally, |_, _| None)
+    compare(bench, shapes, tally, |_, _, _| None)
 }
 
 /// Triangles whose corners are given in 1/4096 pixel: snapped to the nearest 1/256, ties to even. Small ones, and edges near centres, so that a corner snapped otherwise shows.
@@ -73,7 +73,7 @@ pub(crate) fn snapping(bench: &mut Bench, tally: &mut Tally) -> Result<()> {
         shape
     });
     let shapes = shapes.collect();
-    compare(bench, shapes, tally, |_, _| None)
+    compare(bench, shapes, tally, |_, _, _| None)
 }
 
 /// From 1/4096 pixel, not negative, to 1/256.
@@ -114,7 +114,7 @@ pub(crate) fn windows(bench: &mut Bench, tally: &mut Tally) -> Result<()> {
         shape
     });
     let shapes = shapes.collect();
-    compare(bench, shapes, tally, |_, _| None)
+    compare(bench, shapes, tally, |_, _, _| None)
 }
 
 /// Triangles across the border of a viewport: what a guard band saves `pineda` from clipping.
@@ -130,7 +130,7 @@ pub(crate) fn border(bench: &mut Bench, tally: &mut Tally) -> Result<()> {
     });
     let shapes = shapes.collect();
     let near = |shape: &Shape, pixel| shape.edge_distance(pixel) <= SHIFT;
-    compare(bench, shapes, tally, |shape, pixel| near(shape, pixel).then_some(Row::Border))
+    compare(bench, shapes, tally, |shape, pixel, _| near(shape, pixel).then_some(Row::Border))
 }
 
 fn viewport([x, y]: [f32; 2], [width, height]: [i64; 2]) -> Viewport {
@@ -160,7 +160,7 @@ fn shape_of_case(case: &Case) -> Option<Shape> {
 }
 
 /// A point of a cell: the centre of a pixel, its corner, or any.
-fn point(random: &mut Random, cell: u32) -> Point {
+pub(crate) fn point(random: &mut Random, cell: u32) -> Point {
     let kind = random.between(0, 3);
     [0; 2].map(|_| match kind {
         0 => 256 * random.between(0, i64::from(cell) - 1) + 128,

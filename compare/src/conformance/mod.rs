@@ -18,6 +18,7 @@ mod shapes;
 mod sheet;
 mod states;
 mod stencil;
+mod strokes;
 mod tally;
 mod theirs;
 
@@ -34,13 +35,15 @@ use theirs::Theirs;
 /// A group's name, and what draws and compares its cases.
 type Group = (&'static str, fn(&mut Bench, &mut Tally) -> Result<()>);
 
-/// A kind of primitive that `pineda` learns, or samples, come in as one more line.
 const GROUPS: &[Group] = &[
     ("coverage of lists", coverage::lists),
     ("coverage of strips", coverage::strips),
     ("snapping", coverage::snapping),
     ("viewports, scissor", coverage::windows),
     ("across the border", coverage::border),
+    ("points", strokes::points),
+    ("lines, rectangular", strokes::rectangular_lines),
+    ("lines, diamond exit", strokes::thin_lines),
     ("depth tests", depth::tests),
     ("depth on slopes", depth::slopes),
     ("depth bias", depth::bias),
@@ -48,6 +51,7 @@ const GROUPS: &[Group] = &[
     ("stencil", stencil::stencil),
     ("blending, 8 bits", blending::unorm8),
     ("blending, sRGB", blending::srgb8),
+    ("blending, f16", blending::float16),
     ("blending, f32", blending::float32),
     ("interpolation", interpolation::interpolation),
 ];

@@ -60,6 +60,7 @@ pub(crate) fn draw(renderer: &mut Renderer, sheet: &Sheet) -> Result<Picture> {
     let color = match &mut colors {
         Colors::Unorm8(codes) => ColorBuffer::Rgba8(codes),
         Colors::Srgb8(codes) => ColorBuffer::Rgba8Srgb(codes),
+        Colors::Float16(colors) => ColorBuffer::Rgba16F(colors),
         Colors::Float32(colors) => ColorBuffer::Rgba32F(colors),
     };
     let has_stencil = !stencil.is_empty();

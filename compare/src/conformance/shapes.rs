@@ -1,4 +1,4 @@
-//! Shapes whose coverage is compared pixel for pixel: triangles in a cell of a sheet, each corner on the subpixel grid, each vertex with a flat colour of 8-bit codes.
+//! Shapes whose coverage is compared pixel for pixel: triangles, lines or points in a cell of a sheet, each corner on the subpixel grid, each vertex with a flat colour of 8-bit codes.
 //!
 //! Where the colours are added, a pixel's codes say how often and by which triangles it was covered; where they replace each other, which triangle came last. Both follow
 //! from coverage alone, and so the oracle can say what is right, pixel by pixel.
@@ -9,7 +9,7 @@ use super::tally::{Row, Tally};
 use anyhow::Result;
 use pineda::{Blend, Cull, DepthState, DrawState, FrontFace, PrimitiveTopology, Scissor, Viewport};
 use pineda_oracle::cases::Random;
-use pineda_oracle::{Point, Winding, covers, winding};
+use pineda_oracle::{Point, Winding, covers, line_covers, point_covers, winding};
 use std::fmt;
 
 /// Pixels to each side of a sheet of shapes.
@@ -61,24 +61,13 @@ impl Shape {
     }
 
     /// What is right for a pixel of the cell, by the oracle.
-    fn expected(&self, pixel: [u32; 2]) -> [u8; 4] {
+    pub(crate) fn expected(&self, pixel: [u32; 2]) -> [u8; 4] {
         let mut color = [0; 4];
         if !self.is_in_window(pixel) {
             return color;
         }
-        for triangle in self.triangles() {
-            let corners = triangle.map(|k| self.corners[k]);
-            let is_front = match winding(corners) {
-                Winding::Degenerate => continue,
-                winding => {
-                    (winding == Winding::CounterClockwise) == (self.state.front_face == FrontFace::CounterClockwise)
-                }
-            };
-            let is_culled = self.state.cull == if is_front { Cull::Front } else { Cull::Back };
-            if is_culled || !covers(corners, pixel.map(i64::from)) {
-                continue;
-            }
-            let own = self.colors[triangle[0]];
+        for provoking in self.covering(pixel.map(i64::from)) {
+            let own = self.colors[provoking];
             color = if self.state.blend == Blend::OPAQUE {
                 own
             } else {
@@ -86,6 +75,42 @@ impl Shape {
             };
         }
         color
+    }
+
+    /// The first vertices of what covers a pixel, in order.
+    fn covering(&self, pixel: Point) -> Vec<usize> {
+        let at = |k: usize| self.corners[k];
+        let numbers: Vec<usize> = self.indices.iter().map(|&k| k as usize).collect();
+        let width = self.state.line_width;
+        let lines = |lines: &mut dyn Iterator<Item = [usize; 2]>| {
+            lines
+                .filter(|&[a, b]| {
+                    let line = [at(a), at(b)];
+                    if width == 1.0 { line_covers(line, pixel) } else { rectangle_covers(line, width, pixel) }
+                })
+                .map(|[a, _]| a)
+                .collect()
+        };
+        match self.state.topology {
+            PrimitiveTopology::PointList => numbers.into_iter().filter(|&k| point_covers(at(k), 256, pixel)).collect(),
+            PrimitiveTopology::LineList => lines(&mut numbers.as_chunks::<2>().0.iter().copied()),
+            PrimitiveTopology::LineStrip => lines(&mut numbers.windows(2).map(|ends| [ends[0], ends[1]])),
+            _ => {
+                let is_drawn = |&triangle: &[usize; 3]| {
+                    let corners = triangle.map(at);
+                    let is_front = match winding(corners) {
+                        Winding::Degenerate => return false,
+                        winding => {
+                            (winding == Winding::CounterClockwise)
+                                == (self.state.front_face == FrontFace::CounterClockwise)
+                        }
+                    };
+                    let is_culled = self.state.cull == if is_front { Cull::Front } else { Cull::Back };
+                    !is_culled && covers(corners, pixel)
+                };
+                self.triangles().into_iter().filter(is_drawn).map(|[provoking, ..]| provoking).collect()
+            }
+        }
     }
 
     /// Whether viewport and scissor leave the pixel. The viewport's corners are whole pixels wherever it matters.
@@ -132,7 +157,7 @@ impl Shape {
     /// Adds the shape to the draw that has its state.
     fn add_to(&self, sheet: &mut Sheet) {
         let mut state = self.placed_state();
-        let is_strip = state.topology == PrimitiveTopology::TriangleStrip;
+        let is_strip = matches!(state.topology, PrimitiveTopology::TriangleStrip | PrimitiveTopology::LineStrip);
         state.primitive_restart = is_strip;
         let viewport = state.viewport.unwrap_or(sheet.viewport());
         if !sheet.draws.iter().any(|draw| draw.state == state) {
@@ -180,12 +205,20 @@ impl fmt::Display for Shape {
     }
 }
 
-/// Draws shapes, as many at once as a sheet holds, and compares. `row` explains a pixel of which the oracle says what `pineda` says.
+/// Whether the rectangle that is a line of a width (Vulkan 1.4, "Rectangular Line Segments") covers a pixel. Its corners are on the subpixel grid.
+fn rectangle_covers([a, b]: [Point; 2], width: f32, pixel: Point) -> bool {
+    let [dx, dy] = [0, 1].map(|axis| (b[axis] - a[axis]) as f64);
+    let [x, y] = [-dy, dx].map(|v| (128.0 * f64::from(width) * v / dx.hypot(dy)).round_ties_even() as i64);
+    let corners = [[a[0] + x, a[1] + y], [a[0] - x, a[1] - y], [b[0] - x, b[1] - y], [b[0] + x, b[1] + y]];
+    a != b && [[0, 1, 2], [0, 2, 3]].iter().any(|half| covers(half.map(|k| corners[k]), pixel))
+}
+
+/// Draws shapes, as many at once as a sheet holds, and compares. `row` explains a pixel of which the oracle says what `pineda` says; it is told what lavapipe says.
 pub(crate) fn compare(
     bench: &mut Bench,
     mut shapes: Vec<Shape>,
     tally: &mut Tally,
-    row: impl Fn(&Shape, [u32; 2]) -> Option<Row>,
+    row: impl Fn(&Shape, [u32; 2], [u8; 4]) -> Option<Row>,
 ) -> Result<()> {
     tally.cases += shapes.len() as u64;
     for shapes in pack(&mut shapes) {
@@ -200,7 +233,7 @@ pub(crate) fn compare(
                 tally.drawn += u64::from(ours != [0; 4]);
                 if ours != theirs {
                     let expected = shape.expected(pixel);
-                    let row = row(shape, pixel).filter(|_| ours == expected);
+                    let row = row(shape, pixel, theirs).filter(|_| ours == expected);
                     tally.differs(row, || {
                         format!("pixel {pixel:?}: pineda {ours:?}, lavapipe {theirs:?}, by the rules {expected:?}, {} pixels from an edge; {shape}", shape.edge_distance(pixel))
                     });

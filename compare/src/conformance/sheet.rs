@@ -22,6 +22,8 @@ pub(crate) struct Sheet {
 pub(crate) enum Colors {
     Unorm8(Vec<[u8; 4]>),
     Srgb8(Vec<[u8; 4]>),
+    /// Bits.
+    Float16(Vec<[u16; 4]>),
     Float32(Vec<[f32; 4]>),
 }
 
@@ -101,7 +103,7 @@ impl Colors {
     pub(crate) fn codes(&self) -> &[[u8; 4]] {
         match self {
             Self::Unorm8(codes) | Self::Srgb8(codes) => codes,
-            Self::Float32(_) => &[],
+            Self::Float16(_) | Self::Float32(_) => &[],
         }
     }
 }

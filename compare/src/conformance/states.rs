@@ -20,7 +20,6 @@ pub(crate) fn pipeline(
         Interpolation::Linear => ("linear_vertex", "linear_fragment"),
         Interpolation::Flat => ("flat_vertex", "flat_fragment"),
     };
-    let is_strip = state.topology == PrimitiveTopology::TriangleStrip;
     let blend = (state.blend != pineda::Blend::OPAQUE).then(|| wgpu::BlendState {
         color: blend_component(state.blend.color),
         alpha: blend_component(state.blend.alpha),
@@ -39,12 +38,9 @@ pub(crate) fn pipeline(
             })],
         },
         primitive: wgpu::PrimitiveState {
-            topology: if is_strip {
-                wgpu::PrimitiveTopology::TriangleStrip
-            } else {
-                wgpu::PrimitiveTopology::TriangleList
-            },
-            strip_index_format: (is_strip && draw.indices.is_some()).then_some(wgpu::IndexFormat::Uint32),
+            topology: topology(state.topology),
+            strip_index_format: (topology(state.topology).is_strip() && draw.indices.is_some())
+                .then_some(wgpu::IndexFormat::Uint32),
             front_face: match state.front_face {
                 FrontFace::CounterClockwise => wgpu::FrontFace::Ccw,
                 FrontFace::Clockwise => wgpu::FrontFace::Cw,
@@ -89,10 +85,22 @@ pub(crate) fn pipeline(
     })
 }
 
+/// WebGPU has no fans and no loops, and none is asked for.
+fn topology(topology: PrimitiveTopology) -> wgpu::PrimitiveTopology {
+    match topology {
+        PrimitiveTopology::PointList => wgpu::PrimitiveTopology::PointList,
+        PrimitiveTopology::LineList => wgpu::PrimitiveTopology::LineList,
+        PrimitiveTopology::LineStrip => wgpu::PrimitiveTopology::LineStrip,
+        PrimitiveTopology::TriangleStrip => wgpu::PrimitiveTopology::TriangleStrip,
+        _ => wgpu::PrimitiveTopology::TriangleList,
+    }
+}
+
 pub(crate) fn color_format(colors: &Colors) -> wgpu::TextureFormat {
     match colors {
         Colors::Unorm8(_) => wgpu::TextureFormat::Rgba8Unorm,
         Colors::Srgb8(_) => wgpu::TextureFormat::Rgba8UnormSrgb,
+        Colors::Float16(_) => wgpu::TextureFormat::Rgba16Float,
         Colors::Float32(_) => wgpu::TextureFormat::Rgba32Float,
     }
 }

@@ -14,6 +14,8 @@ pub(crate) enum Row {
     MasksOfZero,
     EightBitBlending,
     SrgbPolynomial,
+    ThinLines,
+    LineCorners,
 }
 
 impl Row {
@@ -25,6 +27,8 @@ impl Row {
             Self::MasksOfZero => "masks of 0",
             Self::EightBitBlending => "8-bit blending",
             Self::SrgbPolynomial => "sRGB polynomial",
+            Self::ThinLines => "thin lines",
+            Self::LineCorners => "line corners",
         }
     }
 }
@@ -97,7 +101,15 @@ mod tests {
     #[test]
     fn every_row_is_in_the_table() {
         let table = include_str!("../../../docs/conformance.md");
-        for row in [Row::Border, Row::BiasUnit, Row::MasksOfZero, Row::EightBitBlending, Row::SrgbPolynomial] {
+        for row in [
+            Row::Border,
+            Row::BiasUnit,
+            Row::MasksOfZero,
+            Row::EightBitBlending,
+            Row::SrgbPolynomial,
+            Row::ThinLines,
+            Row::LineCorners,
+        ] {
             assert!(table.contains(&format!("| {} |", row.as_str())), "{row:?}");
         }
     }

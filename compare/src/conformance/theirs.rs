@@ -59,7 +59,11 @@ impl Theirs {
         let mut encoder = self.device.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         encode_draws(&mut encoder, sheet, &pipelines, &buffers, &color, depth.as_ref());
         let pixels = sheet.pixels() as u64;
-        let color_size = if matches!(sheet.colors, Colors::Float32(_)) { 16 } else { 4 };
+        let color_size = match sheet.colors {
+            Colors::Unorm8(_) | Colors::Srgb8(_) => 4,
+            Colors::Float16(_) => 8,
+            Colors::Float32(_) => 16,
+        };
         let read_color = self.readback(pixels * color_size);
         copy(&mut encoder, sheet, &color, wgpu::TextureAspect::All, &read_color);
         let read_depth = depth.as_ref().map(|depth| self.encode_depth_reader(&mut encoder, sheet, depth));
@@ -74,6 +78,7 @@ impl Theirs {
         let colors = match &sheet.colors {
             Colors::Unorm8(_) => Colors::Unorm8(bytemuck::pod_collect_to_vec(&bytes)),
             Colors::Srgb8(_) => Colors::Srgb8(bytemuck::pod_collect_to_vec(&bytes)),
+            Colors::Float16(_) => Colors::Float16(bytemuck::pod_collect_to_vec(&bytes)),
             Colors::Float32(_) => Colors::Float32(bytemuck::pod_collect_to_vec(&bytes)),
         };
         let depth = match &read_depth {
@@ -147,6 +152,7 @@ impl Theirs {
         };
         let data = match &sheet.colors {
             Colors::Unorm8(codes) | Colors::Srgb8(codes) => codes.as_flattened(),
+            Colors::Float16(colors) => bytemuck::cast_slice(colors),
             Colors::Float32(colors) => bytemuck::cast_slice(colors),
         };
         write(color, wgpu::TextureAspect::All, data);

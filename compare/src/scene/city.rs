@@ -29,6 +29,7 @@ pub(super) fn occluders() -> Scene {
         output: Output::Depth,
         textures: Vec::new(),
         shadow_map: Vec::new(),
+        samples: 1,
     }
 }
 

@@ -37,6 +37,7 @@ pub(super) fn layers(order: Order) -> Scene {
         output: Output::Color,
         textures: Vec::new(),
         shadow_map: Vec::new(),
+        samples: 1,
     }
 }
 

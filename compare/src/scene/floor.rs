@@ -22,5 +22,6 @@ pub(super) fn floor() -> Scene {
         output: Output::Color,
         textures: vec![Texture::bricks(7)],
         shadow_map: Vec::new(),
+        samples: 1,
     }
 }

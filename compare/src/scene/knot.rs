@@ -45,6 +45,7 @@ pub(super) fn lit_knot() -> Scene {
         output: Output::Color,
         textures: Vec::new(),
         shadow_map: Vec::new(),
+        samples: 1,
     }
 }
 

@@ -30,6 +30,7 @@ pub(super) fn sheet() -> Scene {
         output: Output::Color,
         textures: Vec::new(),
         shadow_map: Vec::new(),
+        samples: 1,
     }
 }
 

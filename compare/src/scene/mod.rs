@@ -35,6 +35,8 @@ pub(crate) enum SceneName {
     Micro,
     /// A knot of 70,000 triangles, lit per pixel.
     Medium,
+    /// The knot with four samples a pixel, averaged.
+    Msaa,
     /// 16 full-screen layers, half transparent, the farthest first.
     Blend,
     /// A city of 200,000 triangles, of which the depth buffer is wanted and nothing else.
@@ -122,6 +124,8 @@ pub(crate) struct Scene {
     pub(crate) textures: Vec<Texture>,
     /// As large as a texture; empty without shadows.
     pub(crate) shadow_map: Vec<u16>,
+    /// Of each pixel: 1 or 4. The picture holds their averages.
+    pub(crate) samples: u32,
 }
 
 impl Scene {
@@ -132,6 +136,7 @@ impl Scene {
             SceneName::FillBackToFront => fill::layers(fill::Order::BackToFront),
             SceneName::Micro => micro::sheet(),
             SceneName::Medium => knot::lit_knot(),
+            SceneName::Msaa => Self { samples: 4, ..knot::lit_knot() },
             SceneName::Blend => Self { shading: Shading::Translucent, ..fill::layers(fill::Order::BackToFront) },
             SceneName::DepthOnly => city::occluders(),
             SceneName::Ids => Self { output: Output::Ids, ..knot::lit_knot() },
@@ -151,6 +156,7 @@ impl SceneName {
             Self::FillBackToFront => "fill_back_to_front",
             Self::Micro => "micro",
             Self::Medium => "medium",
+            Self::Msaa => "msaa",
             Self::Blend => "blend",
             Self::DepthOnly => "depth_only",
             Self::Ids => "ids",
@@ -173,6 +179,7 @@ mod tests {
             (SceneName::FillBackToFront, 32),
             (SceneName::Micro, 1_000_000),
             (SceneName::Medium, 70_000),
+            (SceneName::Msaa, 70_000),
             (SceneName::Blend, 32),
             (SceneName::DepthOnly, 201_600),
             (SceneName::Ids, 70_000),

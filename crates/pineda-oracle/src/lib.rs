@@ -9,6 +9,7 @@
 //! | `snap.rs` | where on the grid of 1/256 pixel does a position land? |
 //! | `project.rs` | where in the picture does a clip-space vertex land, exactly? |
 //! | `coverage.rs` | does this snapped triangle own this pixel? |
+//! | `conservative.rs` | which pixels does it touch, which does it cover whole? |
 //! | `lines.rs` | which pixels does a line one pixel wide own, which a point? |
 //! | `area.rs` | how much of a pixel does a convex polygon cover? |
 //! | `interpolate.rs` | what are depth and attributes there, and how far off is an answer in floats? |
@@ -30,6 +31,7 @@
 
 mod area;
 pub mod cases;
+mod conservative;
 mod coverage;
 mod interpolate;
 mod lines;
@@ -39,6 +41,7 @@ mod snap;
 mod visible;
 
 pub use area::covered_area;
+pub use conservative::{contains, covers_whole, touches};
 pub use coverage::{
     Point, SUBPIXELS, Triangle, Winding, coverage, covered_exactly_once, covers, hits, polygon_coverage, winding,
 };

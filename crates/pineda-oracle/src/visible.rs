@@ -85,6 +85,14 @@ impl Visible {
         }
     }
 
+    /// How far in pixels each corner of a pixel lies inside of each edge, negative outside: for each edge the corners of the whole picture, row by row from the top, one more
+    /// in a row than pixels. `None` if it is seen edge-on.
+    pub fn corner_margins(&self) -> Option<Vec<Vec<f64>>> {
+        let rays: Vec<Vector> = self.picture.corner_rays().collect();
+        let of_edge = |half_plane: &HalfPlane| rays.iter().map(|ray| half_plane.distance(ray)).collect();
+        self.has_area.then(|| self.half_planes.iter().map(of_edge).collect())
+    }
+
     /// The pixels whose coverage somebody else sees differently, with their [`margin`](Self::margin): those well away from
     /// an edge are wrong, the others only worth counting.
     pub fn disagreements(&self, covered: &[bool]) -> Vec<([i64; 2], f64)> {
@@ -124,6 +132,14 @@ impl Picture {
     fn ray(self, [i, j]: [i64; 2]) -> Vector {
         let [width, height] = [i64::from(self.width), i64::from(self.height)];
         [(2 * i + 1 - width) * height, (height - 2 * j - 1) * width, width * height].map(IBig::from)
+    }
+
+    /// The same of all corners of pixels, row by row.
+    fn corner_rays(self) -> impl Iterator<Item = Vector> {
+        let [width, height] = [i64::from(self.width), i64::from(self.height)];
+        let ray =
+            move |i: i64, j: i64| [(2 * i - width) * height, (height - 2 * j) * width, width * height].map(IBig::from);
+        (0..=height).flat_map(move |j| (0..=width).map(move |i| ray(i, j)))
     }
 
     fn pixels(self) -> impl Iterator<Item = [i64; 2]> {

@@ -10,7 +10,7 @@ use pineda_oracle::cases::{Case, Space};
 use pineda_oracle::{Triangle, Visible, covered_exactly_once, hits, project_snapped};
 
 /// Pixels: sqrt(2) / 512 for a snapped corner (0.0028), and as much again as the picture leaves for the rounding of a cut before it.
-const MARGIN: f64 = 1.0 / 256.0;
+pub(crate) const MARGIN: f64 = 1.0 / 256.0;
 
 /// How far off a projected coordinate may be before it is snapped, in pixels; f64 is better by far in a picture of 96 pixels.
 const PROJECTION: f64 = 1.0 / 1_048_576.0;
@@ -30,10 +30,10 @@ pub(crate) fn judge(case: &Case, drawing: &Drawing, tally: &mut Tally) -> Result
 
 /// Clipping computes in f64. Where the sizes of a triangle's coordinates lie further apart than this (no camera makes such a triangle), its
 /// cuts can be off by more than a subpixel; then all that is asked is that drawing it does no harm.
-const SPAN: f64 = 18_446_744_073_709_551_616.0;
+pub(crate) const SPAN: f64 = 18_446_744_073_709_551_616.0;
 
 /// The largest quotient of two coordinates' sizes, zeros left out.
-fn span(triangles: &[[[f32; 4]; 3]]) -> f64 {
+pub(crate) fn span(triangles: &[[[f32; 4]; 3]]) -> f64 {
     let sizes = || triangles.iter().flatten().flatten().map(|x| f64::from(x.abs())).filter(|&x| x > 0.0);
     sizes().fold(0.0, f64::max) / sizes().fold(f64::INFINITY, f64::min)
 }

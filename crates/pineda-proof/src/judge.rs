@@ -1,7 +1,7 @@
 //! One case, from its number to the verdict.
 
 use crate::numbers::{BARYCENTRIC_ULPS, DEPTH_ROUNDINGS, VARYING_ROUNDINGS};
-use crate::{Renderers, coverage, draw_case, every_setting, numbers};
+use crate::{Renderers, conservative, coverage, draw_case, every_setting, numbers};
 use pineda::{Cull, DrawState, FrontFace};
 use pineda_oracle::cases::{Case, Random};
 use std::fmt;
@@ -32,6 +32,8 @@ pub struct Tally {
     pub clipped_numbers: u64,
     /// Drawings that had to be the same bits as another one.
     pub repeats: u64,
+    /// Pixels whose conservative coverage was compared, of either kind.
+    pub conservative: u64,
     /// The largest error of a barycentric coordinate, in units in the last place.
     pub worst_barycentric: f64,
     /// The largest error of a varying.
@@ -51,6 +53,7 @@ impl Tally {
         self.numbers += other.numbers;
         self.clipped_numbers += other.clipped_numbers;
         self.repeats += other.repeats;
+        self.conservative += other.conservative;
         self.worst_barycentric = self.worst_barycentric.max(other.worst_barycentric);
         self.worst_varying = self.worst_varying.max(other.worst_varying);
         self.worst_depth = self.worst_depth.max(other.worst_depth);
@@ -59,7 +62,7 @@ impl Tally {
 
 impl fmt::Display for Tally {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { cases, pixels, hits, certain, doubtful, numbers, clipped_numbers, repeats, .. } = self;
+        let Self { cases, pixels, hits, certain, doubtful, numbers, clipped_numbers, repeats, conservative, .. } = self;
         writeln!(f, "{cases} cases, {pixels} pixels covered {hits} times in all")?;
         writeln!(f, "{repeats} drawings repeated with other settings and another order of the corners: the same bits")?;
         writeln!(
@@ -70,6 +73,7 @@ impl fmt::Display for Tally {
             f,
             "{numbers} pixels' numbers compared with the exact ones, and {clipped_numbers} of clipped triangles"
         )?;
+        writeln!(f, "{conservative} pixels' conservative coverage compared with the exact one")?;
         let (b, v, z) = (self.worst_barycentric, self.worst_varying, self.worst_depth);
         write!(f, "largest errors: barycentric coordinates {b:.2} ulp of {BARYCENTRIC_ULPS:.0}; ")?;
         write!(f, "varyings {v:.2} roundings of {VARYING_ROUNDINGS:.0}; depth {z:.2} of {DEPTH_ROUNDINGS:.0}")
@@ -83,7 +87,8 @@ impl Judge {
     }
 
     /// Draws a case and compares it with the oracle; draws it again with other settings and with the corners in another order, which must
-    /// give the same bits; every fiftieth time with all settings; and every fourth time with each culling.
+    /// give the same bits; every fiftieth time with all settings; every fourth time with each culling; and every eighth time
+    /// conservatively.
     ///
     /// # Errors
     /// What is wrong, and the case.
@@ -124,6 +129,9 @@ impl Judge {
                 let hits = [backs.hits[at], fronts.hits[at], drawing.hits[at]];
                 return Err(format!("pixel {at}: back faces, front faces and all hit it {hits:?} times"));
             }
+        }
+        if random.one_in(8) {
+            conservative::judge(case, &drawing, renderers, random, tally)?;
         }
         Ok(())
     }

@@ -6,6 +6,7 @@
 //! | `drawing.rs` | a case drawn: all outputs of a target, and where two drawings differ |
 //! | `probe.rs` | the shader that shows its interpolated varyings as a colour |
 //! | `coverage.rs` | is every pixel covered as often as the oracle says? |
+//! | `conservative.rs` | are those pixels covered that a triangle touches, or covers whole? |
 //! | `numbers.rs` | are barycentric coordinates, depth and varyings within their bounds of the exact ones? |
 //! | `judge.rs` | all of it for one case: what `prove` runs a hundred million times |
 //!
@@ -18,6 +19,7 @@
 //! assert_eq!(judge.tally().cases, 100);
 //! ```
 
+mod conservative;
 mod coverage;
 mod drawing;
 mod judge;
@@ -25,7 +27,7 @@ mod numbers;
 mod probe;
 mod settings;
 
-pub use drawing::{Drawing, draw_case};
+pub use drawing::{Drawing, draw_case, draw_case_with_samples};
 pub use judge::{Judge, Tally};
 pub use numbers::{BARYCENTRIC_ULPS, DEPTH_ROUNDINGS, VARYING_ROUNDINGS};
 pub use probe::{Probe, ProbeVertex, Probed};

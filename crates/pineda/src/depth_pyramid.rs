@@ -64,6 +64,14 @@ impl DepthPyramid {
     }
 
     /// The pyramid over a depth buffer where nearer is larger.
+    /// ```
+    /// use pineda::{DepthPyramid, Mat4};
+    /// // Cleared to 0, and a wall at 0.5 over all of it.
+    /// let pyramid = DepthPyramid::reversed(&[0.5; 64], 8, 8)?;
+    /// assert!(!pyramid.is_box_visible(&Mat4::IDENTITY, [-0.5, -0.5, 0.1], [0.5, 0.5, 0.4]));
+    /// assert!(pyramid.is_box_visible(&Mat4::IDENTITY, [-0.5, -0.5, 0.1], [0.5, 0.5, 0.6]));
+    /// # Ok::<(), pineda::Error>(())
+    /// ```
     ///
     /// # Errors
     /// As [`Self::new`].
@@ -78,7 +86,14 @@ impl DepthPyramid {
         }
         let expected = width as usize * height as usize;
         if depth.len() != expected {
-            return Err(Error::BufferLength { buffer: "depth", length: depth.len(), expected, width, height });
+            return Err(Error::BufferLength {
+                buffer: "depth",
+                length: depth.len(),
+                expected,
+                width,
+                height,
+                samples: 1,
+            });
         }
         // Reversed, depths are negative: nearer is smaller again.
         let sign = if is_reversed { -1.0 } else { 1.0 };

@@ -16,7 +16,10 @@ pub enum Error {
         height: u32,
     },
     /// A buffer of the target does not hold one element for each pixel.
-    #[error("the target's {buffer} buffer holds {length} elements, but {width} x {height} pixels need {expected}")]
+    #[error(
+        "the target's {buffer} buffer holds {length} elements, but {width} x {height} pixels need {expected}{}",
+        if *.samples > 1 { format!(", or {samples} times as many for their samples") } else { String::new() }
+    )]
     BufferLength {
         /// The field of [`Target`](crate::Target).
         buffer: &'static str,
@@ -28,6 +31,8 @@ pub enum Error {
         width: u32,
         /// Pixels down.
         height: u32,
+        /// Samples of each pixel.
+        samples: usize,
     },
     /// The number of a list's indices (or of vertices, without indices) is not a multiple of three.
     #[error("draw {draw}: {count} {what} do not make whole triangles; give a multiple of three")]
@@ -62,6 +67,14 @@ pub enum Error {
         least: u32,
         /// The largest that can be drawn.
         most: u32,
+    },
+    /// [Conservative](crate::Conservative) lines or points, or edges or corners of triangles.
+    #[error(
+        "draw {draw}: only filled triangles are rasterized conservatively; switch `conservative` off, or draw triangles with `PolygonMode::Fill`"
+    )]
+    ConservativeStrokes {
+        /// The draw's number in its pass, from 0.
+        draw: usize,
     },
     /// [`primitive_restart`](crate::DrawState::primitive_restart) for a list of triangles, lines or points.
     #[error(

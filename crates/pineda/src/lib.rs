@@ -70,12 +70,17 @@
 //! in many [instances](Pass::draw_instanced). The same triangles are the same bits, whichever way they are given.
 //!
 //! Lines are one pixel wide by the diamond exit rule, [wide](DrawState::line_width) or [smooth](DrawState::smooth_lines), points of
-//! [any size](DrawState::point_size); triangles are drawn as their [edges or corners](PolygonMode), if one likes.
+//! [any size](DrawState::point_size); triangles are drawn as their [edges or corners](PolygonMode), if one likes, and cover by their pixels' centres or
+//! [conservatively](Conservative).
 //!
 //! # What comes out
 //!
+//! With [several samples a pixel](Target::samples), all of it is each sample's own, and pictures are their averages.
+//!
 //! Colour (8 bits linear or sRGB, 16 bits, half floats, f32, integers; up to eight [things at once](Outputs)), depth, and, for those who shade elsewhere, the visibility buffer: triangle, instance and draw ids, barycentric coordinates,
 //! and how often each pixel was covered. See [`Target`].
+//!
+//! Examples with their pictures are in the repository's `docs/examples.md`.
 //!
 //! # What cannot happen
 //!
@@ -105,11 +110,12 @@ mod wide;
 pub use depth_pyramid::DepthPyramid;
 pub use error::Error;
 pub use pass::{
-    Blend, BlendComponent, BlendFactor, BlendOperation, ClearColor, ColorMask, ColorOps, ColorState, Compare, Cull,
-    DepthBias, DepthState, DrawState, DrawStatistics, FrontFace, Indices, Instanced, Load, MAX_LINE_WIDTH,
-    MAX_POINT_SIZE, Mesh, Pass, PolygonMode, PrimitiveTopology, ProvokingVertex, Renderer, Scissor, Space, Statistics,
-    StencilFace, StencilOperation, StencilState, Store, Viewport,
+    Blend, BlendComponent, BlendFactor, BlendOperation, ClearColor, ColorMask, ColorOps, ColorState, Compare,
+    Conservative, Cull, DepthBias, DepthState, DrawState, DrawStatistics, FrontFace, Indices, Instanced, Load,
+    MAX_LINE_WIDTH, MAX_POINT_SIZE, Mesh, Pass, PolygonMode, PrimitiveTopology, ProvokingVertex, Renderer, Sampling,
+    Scissor, Space, Statistics, StencilFace, StencilOperation, StencilState, Store, Viewport,
 };
+pub use raster::samples::Samples;
 pub use settings::{Settings, Simd, TileSize, UnknownSimd};
 pub use target::{ColorBuffer, DepthBuffer, MAX_COLORS, MAX_SIZE, NO_ID, Target, f16_to_f32, f32_to_f16};
 pub use texture::{

@@ -12,15 +12,22 @@ mod depth_prepass;
 #[path = "../examples/environment.rs"]
 #[allow(dead_code, unreachable_pub, reason = "an example's main and file writing are not run here")]
 mod environment;
+mod gallery;
 #[path = "../examples/normal_mapping.rs"]
 #[allow(dead_code, unreachable_pub, reason = "an example's main and file writing are not run here")]
 mod normal_mapping;
+#[path = "../examples/order_dependent_transparency.rs"]
+#[allow(dead_code, unreachable_pub, reason = "an example's main and file writing are not run here")]
+mod order_dependent_transparency;
 #[path = "../examples/post_process.rs"]
 #[allow(dead_code, unreachable_pub, reason = "an example's main and file writing are not run here")]
 mod post_process;
 #[path = "../examples/shadow_map.rs"]
 #[allow(dead_code, unreachable_pub, reason = "an example's main and file writing are not run here")]
 mod shadow_map;
+#[path = "../examples/shadow_volume.rs"]
+#[allow(dead_code, unreachable_pub, reason = "an example's main and file writing are not run here")]
+mod shadow_volume;
 #[path = "../examples/sorted_transparency.rs"]
 #[allow(dead_code, unreachable_pub, reason = "an example's main and file writing are not run here")]
 mod sorted_transparency;
@@ -30,6 +37,9 @@ mod sprites;
 #[path = "../examples/stencil_outline.rs"]
 #[allow(dead_code, unreachable_pub, reason = "an example's main and file writing are not run here")]
 mod stencil_outline;
+#[path = "../examples/visibility_buffer.rs"]
+#[allow(dead_code, unreachable_pub, reason = "an example's main and file writing are not run here")]
+mod visibility_buffer;
 
 use pineda::{Error, Settings, Simd, TileSize};
 
@@ -89,4 +99,33 @@ fn shadow_map_picture() {
 #[test]
 fn sprites_picture() {
     check(sprites::draw, 0xbd86_6930_faa7_7af5);
+}
+
+#[test]
+fn shadow_volume_picture() {
+    check(shadow_volume::draw, 0x03e6_8f33_e093_f709);
+}
+
+#[test]
+fn order_dependent_transparency_picture() {
+    check(order_dependent_transparency::draw, 0x8b45_354e_4d26_a039);
+}
+
+#[test]
+fn visibility_buffer_picture() {
+    check(visibility_buffer::draw, 0xc64b_23c6_b995_02cc);
+}
+
+#[test]
+fn gallery_of_features() {
+    gallery::check("deferred", &deferred::draw(Settings::default()).expect("it draws"));
+    gallery::check("depth_prepass", &depth_prepass::draw(Settings::default()).expect("it draws"));
+    gallery::check(
+        "order_dependent_transparency",
+        &order_dependent_transparency::draw(Settings::default()).expect("it draws"),
+    );
+    gallery::check("shadow_volume", &shadow_volume::draw(Settings::default()).expect("it draws"));
+    gallery::check("sorted_transparency", &sorted_transparency::draw(Settings::default()).expect("it draws"));
+    gallery::check("stencil_outline", &stencil_outline::draw(Settings::default()).expect("it draws"));
+    gallery::check("visibility_buffer", &visibility_buffer::draw(Settings::default()).expect("it draws"));
 }

@@ -6,6 +6,7 @@
 #[path = "../examples/barycentric_spin.rs"]
 #[allow(dead_code, unreachable_pub, reason = "an example's main and file writing are not run here")]
 mod barycentric_spin;
+mod gallery;
 #[path = "../examples/homogeneous.rs"]
 #[allow(dead_code, unreachable_pub, reason = "an example's main and file writing are not run here")]
 mod homogeneous;
@@ -115,4 +116,21 @@ fn barycentric_spin_first_frames_at_every_level() {
 fn barycentric_spin_whole_turn() {
     let hash = spin(Settings::default(), barycentric_spin::FRAMES);
     assert_eq!(hash, 0xf460_9a6f_7824_6e58, "{hash:#018x}");
+}
+
+#[test]
+fn gallery_of_tutorials() {
+    gallery::check("raster2d", &raster2d::draw(Settings::default()).unwrap());
+    gallery::check("ndc_depth", &ndc_depth::draw(Settings::default()).unwrap());
+    gallery::check("homogeneous", &homogeneous::draw(Settings::default()).unwrap());
+    gallery::check("instancing", &instancing::draw(Settings::default()).unwrap());
+    gallery::check("occlusion", &occlusion::draw(Settings::default()).unwrap());
+    gallery::check("wireframe", &wireframe::draw(Settings::default()).unwrap());
+    let mut last = Vec::new();
+    barycentric_spin::draw(Settings::default(), 31, |pixels| -> Result<(), Error> {
+        last = pixels.to_vec();
+        Ok(())
+    })
+    .unwrap();
+    gallery::check("barycentric_spin", &last);
 }

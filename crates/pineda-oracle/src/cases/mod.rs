@@ -169,9 +169,21 @@ impl Case {
         coverage::hits(&self.snapped(), self.width, self.height)
     }
 
+    /// The same for one sample of each pixel, which lies so many sixteenths of a pixel from its upper left corner.
+    pub fn hits_at(&self, sample: [u8; 2]) -> Vec<u32> {
+        let moved: Vec<_> = self.snapped().iter().map(|corners| corners.map(|at| seen_from(at, sample))).collect();
+        coverage::hits(&moved, self.width, self.height)
+    }
+
     /// What a mesh in raster space covers, from its outline alone.
     pub fn region(&self) -> Vec<bool> {
-        let outline: Vec<_> = self.outline.iter().map(|&k| self.snapped_corner(self.vertices[k as usize])).collect();
+        self.region_at([8, 8])
+    }
+
+    /// The same for one sample of each pixel.
+    pub fn region_at(&self, sample: [u8; 2]) -> Vec<bool> {
+        let corner = |&k: &u32| seen_from(self.snapped_corner(self.vertices[k as usize]), sample);
+        let outline: Vec<_> = self.outline.iter().map(corner).collect();
         coverage::polygon_coverage(&outline, self.width, self.height)
     }
 
@@ -193,6 +205,11 @@ impl Case {
         self.vertices.extend(corners);
         self.triangles.push([first, first + 1, first + 2]);
     }
+}
+
+/// A place, in subpixels, on a raster that is moved so that a sample, in sixteenths of a pixel, lies where pixels' centres do.
+fn seen_from(at: Point, sample: [u8; 2]) -> Point {
+    [0, 1].map(|k| at[k] - 16 * (i64::from(sample[k]) - 8))
 }
 
 /// The six orders in which the corners of one triangle can be given: three rotations of each winding.

@@ -49,6 +49,11 @@ impl ScreenVertex {
         self.0[1] as i32
     }
 
+    /// x and y.
+    pub(crate) fn place(self) -> [i32; 2] {
+        [self.x(), self.y()]
+    }
+
     pub(crate) fn z(self) -> f32 {
         f32::from_bits(self.0[2])
     }

@@ -80,6 +80,27 @@ impl Default for Blend {
 }
 
 /// How colour or alpha is blended: `operation(source * factor, target * factor)`.
+///
+/// ```
+/// use pineda::*;
+/// // The target less the source.
+/// let darker =
+///     BlendComponent { source: BlendFactor::One, operation: BlendOperation::ReverseSubtract, target: BlendFactor::One };
+/// let blend = Blend { color: darker, alpha: BlendComponent::KEEP, constant: [0.0; 4] };
+/// let mut pass = Pass::new();
+/// pass.clear_color = Some([0.75; 4]);
+/// pass.draw_with(
+///     Mesh { vertices: &[[0.0, 0.0], [0.0, 2.0], [2.0, 0.0]], indices: Indices::Sequential },
+///     DrawState { blend, space: Space::Raster, ..DrawState::default() },
+///     |&[x, y]| (Vec4::from([x, y, 0.5, 1.0]), ()),
+///     |f| Rgba::gray(f.splat(0.25)),
+/// );
+/// let mut pixel = [[0.0; 4]];
+/// let mut target = Target { color: ColorBuffer::Rgba32F(&mut pixel), ..Target::new(1, 1) };
+/// Renderer::new(Settings::default())?.render(&pass, &mut target)?;
+/// assert_eq!(pixel, [[0.5, 0.5, 0.5, 0.75]]);
+/// # Ok::<(), Error>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct BlendComponent {
     /// What the fragment's value is multiplied by.
@@ -109,6 +130,7 @@ impl BlendComponent {
 }
 
 /// What a colour is multiplied by before it is blended: for each channel its own number. Of alpha, the alpha of all that is named here.
+/// There is an example at [`BlendComponent`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum BlendFactor {
     /// 0.
@@ -176,7 +198,7 @@ impl BlendFactor {
     ];
 }
 
-/// What becomes of source and target, each times its factor.
+/// What becomes of source and target, each times its factor; with an example at [`BlendComponent`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum BlendOperation {
     /// Their sum.

@@ -38,6 +38,24 @@ pub struct ColorOps {
 }
 
 /// What a colour buffer starts with.
+///
+/// ```
+/// use pineda::*;
+/// let mut pixels = vec![[0.0; 4]; 8 * 8];
+/// let mut draw_nothing = |load, store| {
+///     let mut pass = Pass::new();
+///     pass.color_ops[0] = ColorOps { load, store };
+///     let mut target = Target { color: ColorBuffer::Rgba32F(&mut pixels), ..Target::new(8, 8) };
+///     Renderer::new(Settings::default())?.render(&pass, &mut target)?;
+///     Ok::<_, Error>(pixels[0])
+/// };
+/// assert_eq!(draw_nothing(Load::Clear([0.25; 4].into()), Store::Keep)?, [0.25; 4]);
+/// assert_eq!(draw_nothing(Load::Keep, Store::Keep)?, [0.25; 4]);
+/// assert_eq!(draw_nothing(Load::Clear([1.0; 4].into()), Store::Discard)?, [0.25; 4]);
+/// // Transparent black, which is what a pass starts with.
+/// assert_eq!(draw_nothing(Load::ByPass, Store::Keep)?, [0.0; 4]);
+/// # Ok::<(), Error>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
 pub enum Load {
     /// What [`Pass::clear_color`] says. If that is a colour, a buffer of integers starts with zeros.
@@ -49,7 +67,7 @@ pub enum Load {
     Clear(ClearColor),
 }
 
-/// What becomes of a colour buffer.
+/// What becomes of a colour buffer; with an example at [`Load`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Default)]
 pub enum Store {
     /// It holds what was drawn.

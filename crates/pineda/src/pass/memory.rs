@@ -23,10 +23,13 @@ pub(super) fn with_own<'a>(
         Store::Keep => color.reborrow(),
         Store::Discard => ColorBuffer::None,
     };
-    let own = (flushes > 1 && target.depth.is_none()).then(|| &mut depth[..pixels]);
+    // Tiles with several samples are kept as a whole.
+    let needs_own = flushes > 1 && target.depth.is_none() && target.samples.is_one();
+    let own = needs_own.then(|| &mut depth[..pixels]);
     Target {
         width: target.width,
         height: target.height,
+        samples: target.samples,
         color: stored(0, &mut target.color),
         more_colors: (1..).zip(&mut target.more_colors).map(|(k, color)| stored(k, color)).collect(),
         depth: own.map_or(target.depth.reborrow(), DepthBuffer::D32F),

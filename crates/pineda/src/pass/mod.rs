@@ -3,9 +3,12 @@
 pub(crate) mod assembly;
 mod blend;
 mod colors;
+mod conservative;
 pub(crate) mod draw_call;
 mod input;
+pub(crate) mod kept;
 mod memory;
+mod multisample;
 pub(crate) mod plan;
 mod polygon_mode;
 mod primitives;
@@ -18,6 +21,8 @@ mod validate;
 
 pub use blend::{Blend, BlendComponent, BlendFactor, BlendOperation, ColorMask};
 pub use colors::{ClearColor, ColorOps, ColorState, Load, Store};
+pub use conservative::Conservative;
+pub use multisample::Sampling;
 pub use polygon_mode::{MAX_LINE_WIDTH, MAX_POINT_SIZE, PolygonMode};
 pub use primitives::{Indices, Instanced, PrimitiveTopology, ProvokingVertex};
 pub use render::Renderer;

@@ -8,19 +8,21 @@ use super::assembly::Assembly;
 use super::draw_call::DrawCall;
 use super::strokes::{self, RECORDS_EACH, StrokeRun};
 use super::validate::DrawExtent;
-use super::{Compare, DepthState, DrawState, Indices, Pass, Scissor, Viewport};
+use super::{Compare, Conservative, DepthState, DrawState, Indices, Pass, Scissor, Viewport};
+use crate::Target;
 use crate::geometry::project::Projection;
 use crate::raster::corners::Corners;
+use crate::raster::samples::Samples;
 use crate::raster::setup::PixelRect;
 use crate::raster::stroke::{Stroke, StrokeShape};
 use crate::raster::triangle_id::MAX_BATCH_TRIANGLES;
 use crate::shading::run::Source;
 use std::ops::Range;
 
-/// Bytes that a triangle takes in records and bins, about; and in the list of those that are assembled.
+/// Bytes that a triangle takes in records and bins for each sample of a pixel, about; and in the list of those that are assembled.
 const TRIANGLE_BYTES: usize = 56;
 const ASSEMBLED_BYTES: usize = 12;
-/// Bytes that a line or point takes there, about: as many records as most have.
+/// Bytes that a line, a point or a conservative triangle takes there, about: as many records as most have.
 const STROKE_BYTES: usize = 160;
 /// Bytes of a screen vertex.
 const SCREEN_VERTEX_BYTES: usize = 16;
@@ -171,13 +173,13 @@ pub(crate) struct Batch<'p> {
 pub(crate) fn plan<'p>(
     pass: &'p Pass<'_>,
     extents: &'p [DrawExtent],
-    width: u32,
-    height: u32,
+    target: &Target<'_>,
     memory: usize,
     counts: bool,
 ) -> Plan<'p> {
     let budget = memory.clamp(LEAST_MEMORY, MOST_MEMORY);
-    Plan { pass, extents, width, height, budget, counts, draw: 0, triangle: 0, is_done: false }
+    let Target { width, height, samples, .. } = *target;
+    Plan { pass, extents, width, height, budget, counts, samples, draw: 0, triangle: 0, is_done: false }
 }
 
 /// One batch after the other: of a draw with very many instances there are more than one would like to keep.
@@ -190,6 +192,7 @@ pub(crate) struct Plan<'p> {
     budget: usize,
     /// As [`Batch::counts`].
     counts: bool,
+    samples: Samples,
     /// The next triangle: its draw, and its number there through all instances.
     draw: usize,
     triangle: usize,
@@ -215,9 +218,11 @@ impl<'p> Iterator for Plan<'p> {
                 triangles: (MAX_BATCH_TRIANGLES - batch.triangles) / strokes::numbers_each(call.state()),
                 is_fresh: batch.runs.is_empty(),
             };
-            let Some(piece) = piece(call, extent, self.triangle, &room, batch.assembled) else { return Some(batch) };
+            let Some(piece) = piece(call, extent, self.triangle, &room, batch.assembled, self.samples) else {
+                return Some(batch);
+            };
             self.triangle += piece.triangles;
-            batch.push(call, self.draw, extent, piece, self.width, self.height);
+            batch.push(call, self.draw, extent, piece, self);
         }
         self.is_done = true;
         Some(batch)
@@ -247,6 +252,7 @@ fn piece<'p>(
     first: usize,
     room: &Room,
     assembled: usize,
+    samples: Samples,
 ) -> Option<Piece<'p>> {
     let assembly = Assembly::of(call);
     let (instance, within) = (first / extent.triangles, first % extent.triangles);
@@ -259,8 +265,9 @@ fn piece<'p>(
         };
     let stroke_bytes = size_of::<Stroke>() + RECORDS_EACH * 16 * call.record_rows();
     let triangle_bytes = match strokes::shape(call.state()) {
-        Some(_) => strokes::numbers_each(call.state()) * (stroke_bytes + STROKE_BYTES),
-        None => TRIANGLE_BYTES,
+        Some(_) => strokes::numbers_each(call.state()) * (stroke_bytes + STROKE_BYTES * samples.count()),
+        None if call.state().conservative != Conservative::Off => STROKE_BYTES * samples.count(),
+        None => TRIANGLE_BYTES * samples.count(),
     };
     let triangle_bytes = triangle_bytes + if is_assembled { ASSEMBLED_BYTES } else { 0 };
     let vertex_bytes = SCREEN_VERTEX_BYTES + 16 * call.record_rows();
@@ -352,8 +359,7 @@ impl<'p> Batch<'p> {
         draw: usize,
         extent: &DrawExtent,
         piece: Piece<'p>,
-        width: u32,
-        height: u32,
+        &Plan { width, height, samples, .. }: &Plan<'p>,
     ) {
         let state = call.state();
         let viewport = state.viewport.unwrap_or(Viewport::whole(width, height));
@@ -361,8 +367,10 @@ impl<'p> Batch<'p> {
         let whole = PixelRect { x0: 0, y0: 0, x1: width as i32, y1: height as i32 };
         let kind = kind(state, call.discards(), call.outputs().kinds.len(), self.runs.len());
         let depth = DepthRule::new(state.depth.compare, &viewport);
-        let segment =
-            Segment { kind, depth, draw: self.counts.then_some(draw), rect: Some(rect).filter(|&rect| rect != whole) };
+        // Blocks of 4 x 4 pixels may reach over the border, where nothing may be counted.
+        let cuts_blocks = !width.is_multiple_of(4) || !height.is_multiple_of(4);
+        let rect_counts = rect != whole || (self.counts && cuts_blocks);
+        let segment = Segment { kind, depth, draw: self.counts.then_some(draw), rect: rect_counts.then_some(rect) };
         if self.segments.last() != Some(&segment) {
             self.segments.push(segment);
         }
@@ -372,7 +380,7 @@ impl<'p> Batch<'p> {
         if let Geometry::Shared { triangles, .. } | Geometry::Alone { triangles, .. } = &piece.geometry {
             self.assembled = triangles.end;
         }
-        let shape = strokes::shape(state);
+        let shape = strokes::shape(state).map(|shape| shape.with_samples(samples));
         let numbers_each = strokes::numbers_each(state);
         let triangles = piece.triangles * numbers_each;
         let strokes = shape.map(|shape| {
@@ -413,7 +421,7 @@ fn kind(state: &DrawState, discards: bool, outputs: usize, run: usize) -> Segmen
     // Only what leaves its depth behind may wait: else the visibility buffer would not know the depth of what it shows.
     let leaves_depth = write || compare == Compare::Equal;
     let is_smooth = matches!(strokes::shape(state), Some(StrokeShape::Smooth { .. }));
-    if is_smooth || state.stencil.is_some() || discards || !leaves_depth {
+    if is_smooth || state.stencil.is_some() || discards || state.alpha_to_coverage || !leaves_depth {
         SegmentKind::Ordered { run }
     } else if state.writes_no_color(outputs) {
         SegmentKind::DepthOnly

@@ -1,6 +1,26 @@
 //! Which vertices make which primitives, and what of them a `flat` varying shows: the words that a user says it with.
 
 /// Which vertices a draw's primitives are made of.
+///
+/// ```
+/// use pineda::*;
+/// let corners = [[0.0, 0.0], [0.0, 64.0], [64.0, 0.0], [64.0, 64.0]];
+/// let mut hits = vec![0; 64 * 64];
+/// // The same two triangles, in bytes and in words.
+/// for indices in [Indices::U8(&[0, 1, 2, 2, 1, 3]), Indices::U32([[0, 1, 2], [2, 1, 3]].as_flattened())] {
+///     let mut pass = Pass::new();
+///     pass.draw_with(
+///         Mesh { vertices: &corners, indices },
+///         DrawState { space: Space::Raster, ..DrawState::default() },
+///         |&[x, y]| (Vec4::from([x, y, 0.5, 1.0]), ()),
+///         |f| Rgba::gray(f.z()),
+///     );
+///     let mut target = Target { hits: Some(&mut hits), ..Target::new(64, 64) };
+///     Renderer::new(Settings::default())?.render(&pass, &mut target)?;
+///     assert!(hits.iter().all(|&hits| hits == 1));
+/// }
+/// # Ok::<(), Error>(())
+/// ```
 #[derive(Clone, Copy, Debug, Default)]
 pub enum Indices<'a> {
     /// All vertices, in their order.

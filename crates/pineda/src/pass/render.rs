@@ -3,16 +3,19 @@
 use super::assembly::Assembly;
 use super::colors::check;
 use super::draw_call::VertexJob;
+use super::kept::KeptTiles;
 use super::memory::{grow, uses_stencil, with_own};
 use super::plan::{Batch, Geometry, Plan, Run, plan};
 use super::strokes::{Expansion, RECORDS_EACH, StrokeRun};
 use super::validate::{DrawExtent, validate};
-use super::{Cull, DrawStatistics, FrontFace, Pass, ProvokingVertex, Statistics};
+use super::{Conservative, Cull, DrawStatistics, FrontFace, Pass, ProvokingVertex, Statistics};
 use crate::geometry::clip::ClipTriangle;
 use crate::geometry::raster_space::ScreenVertex;
 use crate::raster::bins::{Share, TileGrid};
+use crate::raster::conservative::set_up_conservative;
 use crate::raster::corners::Corners;
 use crate::raster::depth_bias::Bias;
+use crate::raster::samples::SampleSet;
 use crate::raster::setup::SetupState;
 use crate::raster::stroke::{Stroke, StrokeState, set_up_strokes, set_up_triangles};
 use crate::shading::run::{RunView, Source};
@@ -23,6 +26,7 @@ use crate::target::depth::{DepthFormat, loaded_depth};
 use crate::target::format::ColorFormat;
 use crate::tile::paint::{Painter, Painting, Start, Wants};
 use crate::tile::queue::TileQueue;
+use crate::tile::view::TileView;
 use crate::{Error, Settings, Target, parallel};
 use fearless_simd::Level;
 
@@ -43,6 +47,8 @@ pub struct Renderer {
     depth: Vec<f32>,
     /// The same of stencil values.
     stencil: Vec<u8>,
+    /// The same of targets with several samples.
+    kept: KeptTiles,
 }
 
 /// Triangles that one job assembles.
@@ -74,6 +80,7 @@ impl Renderer {
             painters: Vec::new(),
             depth: Vec::new(),
             stencil: Vec::new(),
+            kept: KeptTiles::default(),
         })
     }
 
@@ -121,10 +128,10 @@ impl Renderer {
         target.validate()?;
         let extents = validate(pass, self.level, self.threads)?;
         check(pass, target)?;
-        let mut others = plan(pass, &extents, target.width, target.height, self.settings.memory, draws.is_some());
+        let mut others = plan(pass, &extents, target, self.settings.memory, draws.is_some());
         let first = others.next().unwrap_or_default();
-        let flushes = self.reserve(&first, others.clone(), target, uses_stencil(pass))?;
         let grid = TileGrid::new(target.width, target.height, self.settings.tile.log2());
+        let flushes = self.reserve(&first, others.clone(), target, uses_stencil(pass), grid)?;
         let (mut depth, mut stencil) = (std::mem::take(&mut self.depth), std::mem::take(&mut self.stencil));
         let mut target = with_own(pass, target, &mut depth, &mut stencil, flushes);
         let mut statistics = Statistics::default();
@@ -132,8 +139,9 @@ impl Renderer {
             self.assemble(pass, &extents, &batch);
             self.run_vertices(pass, &batch);
             self.expand(pass, &batch, target.depth.format());
-            self.set_up(pass, &batch, grid, target.depth.format(), draws.is_some());
-            self.paint(pass, &batch, grid, &mut target, flush == 0);
+            self.set_up(pass, &batch, grid, &target, draws.is_some());
+            self.kept.is_last = flush + 1 == flushes;
+            self.paint(pass, &batch, grid, &mut target, flush == 0, flushes);
             if let Some(draws) = draws.as_deref_mut() {
                 self.collect(&batch, draws);
             }
@@ -151,6 +159,7 @@ impl Renderer {
         others: Plan<'_>,
         target: &Target<'_>,
         stencil: bool,
+        grid: TileGrid,
     ) -> Result<usize, Error> {
         let (mut flushes, mut assembled) = (1, first.assembled);
         let (mut screen, mut records) = (first.screen_vertices, first.record_rows);
@@ -168,6 +177,18 @@ impl Renderer {
         grow(&mut self.records, records, "vertex records")?;
         grow(&mut self.strokes, strokes, "lines and points")?;
         grow(&mut self.stroke_records, stroke_rows, "vertex records of lines and points")?;
+        self.painters.resize_with(self.threads, Painter::new);
+        if !target.samples.is_one() {
+            self.stencil.clear();
+            if flushes > 1 {
+                let view = TileView::new(0, 0, grid.log2, target.samples);
+                let color_words = (0..target.color_count()).filter_map(|k| target.color_buffer(k));
+                let words = color_words.map(|color| color.format().words()).sum::<usize>();
+                let blocks = view.block_count() * (1 + usize::from(stencil || target.stencil.is_some()) + words);
+                self.kept.reserve(grid.tile_count(), blocks)?;
+            }
+            return Ok(flushes);
+        }
         let pixels = target.width as usize * target.height as usize;
         if flushes > 1 && target.depth.is_none() {
             grow(&mut self.depth, pixels, "depth between flushes")?;
@@ -177,7 +198,6 @@ impl Renderer {
         } else {
             self.stencil.clear();
         }
-        self.painters.resize_with(self.threads, Painter::new);
         Ok(flushes)
     }
 
@@ -281,7 +301,8 @@ impl Renderer {
     }
 
     /// Setup and binning: each share takes its stretch of the batch's triangles.
-    fn set_up(&mut self, pass: &Pass<'_>, batch: &Batch<'_>, grid: TileGrid, format: DepthFormat, counts: bool) {
+    fn set_up(&mut self, pass: &Pass<'_>, batch: &Batch<'_>, grid: TileGrid, target: &Target<'_>, counts: bool) {
+        let (format, samples) = (target.depth.format(), target.samples);
         let count = batch.triangles.div_ceil(LEAST_SHARE).clamp(1, self.threads);
         self.shares.resize_with(count, Share::default);
         let size = batch.triangles.div_ceil(count).next_multiple_of(16);
@@ -298,9 +319,10 @@ impl Renderer {
                     break;
                 }
                 let call = &pass.draws[run.draw];
+                let samples = SampleSet::new(samples, call.state().sample_mask);
                 if let Some(stroke_run) = &run.strokes {
                     let (shape, rect, projection) = (stroke_run.shape, run.rect, &run.projection);
-                    let state = StrokeState { counts, level, grid, rect, shape, projection };
+                    let state = StrokeState { counts, level, grid, rect, samples, shape, projection };
                     let end = end - run.first_number;
                     let before = share.statistics;
                     share.statistics.count(call.state().topology, start, end, run.numbers_each);
@@ -319,6 +341,7 @@ impl Renderer {
                 let state = SetupState {
                     grid,
                     rect: run.rect,
+                    samples,
                     cull_clockwise,
                     cull_counter_clockwise,
                     bias,
@@ -330,7 +353,12 @@ impl Renderer {
                 share.start_segment(run.segment);
                 let (range, screen) = (start..end - run.first_number, &screen[run.screen.clone()]);
                 let before = share.statistics;
-                set_up_triangles(level, &state, &corners, screen, range, run.first_number, share);
+                match call.state().conservative {
+                    Conservative::Off => {
+                        set_up_triangles(level, &state, &corners, screen, range, run.first_number, share);
+                    }
+                    mode => set_up_conservative(mode, &state, &corners, screen, range, run.first_number, share),
+                }
                 if counts {
                     share.count(run.draw, &before);
                 }
@@ -353,8 +381,19 @@ impl Renderer {
     }
 
     /// Coverage, depth and shading, tile by tile.
-    fn paint(&mut self, pass: &Pass<'_>, batch: &Batch<'_>, grid: TileGrid, target: &mut Target<'_>, is_first: bool) {
-        let view = |run| view(pass, run, &self.assembled, &self.records, &self.strokes, &self.stroke_records);
+    fn paint(
+        &mut self,
+        pass: &Pass<'_>,
+        batch: &Batch<'_>,
+        grid: TileGrid,
+        target: &mut Target<'_>,
+        is_first: bool,
+        flushes: usize,
+    ) {
+        let view = |run| {
+            let (screen, strokes) = (&self.screen, &self.strokes);
+            view(pass, run, &self.assembled, screen, &self.records, strokes, &self.stroke_records)
+        };
         let runs: Vec<RunView<'_>> = batch.runs.iter().map(view).collect();
         let (width, height) = (target.width, target.height);
         let wants = Wants {
@@ -373,8 +412,12 @@ impl Renderer {
         };
         let depth_format = target.depth.format();
         let clear_depth = pass.clear_depth.map(|z| depth_format.rounded(f32::from_bits(loaded_depth(z) as u32)));
+        let samples = target.samples;
+        let kept = Some(&self.kept).filter(|_| flushes > 1 && !samples.is_one());
+        // What is kept of some tiles only, the others still start with.
+        let starts = is_first || kept.is_some();
         let colors = std::array::from_fn(|k| {
-            let buffer = target.color_buffer(k).filter(|_| is_first)?;
+            let buffer = target.color_buffer(k).filter(|_| starts)?;
             pass.start_of(k, buffer.format())
         });
         let painting = Painting {
@@ -389,12 +432,14 @@ impl Renderer {
             bands: &Bands::new(target, 1 << grid.log2),
             start: Start {
                 colors,
-                depth: clear_depth.filter(|_| is_first),
-                stencil: pass.clear_stencil.filter(|_| is_first),
+                depth: clear_depth.filter(|_| starts),
+                stencil: pass.clear_stencil.filter(|_| starts),
                 is_first,
             },
             wants,
             depth_format,
+            samples,
+            kept,
         };
         let queue = TileQueue::new(&grid);
         let jobs = 0..self.painters.len().min(grid.tile_count());
@@ -417,6 +462,7 @@ fn view<'a>(
     pass: &Pass<'_>,
     run: &'a Run<'_>,
     assembled: &'a [[u32; 3]],
+    screen: &'a [ScreenVertex],
     records: &'a [[u32; 4]],
     all_strokes: &'a [Stroke],
     stroke_records: &'a [[u32; 4]],
@@ -427,6 +473,7 @@ fn view<'a>(
         source: run.source(assembled),
         first_number: run.first_number,
         records: &records[run.records.clone()],
+        screen: &screen[run.screen.clone()],
         projection: &run.projection,
         front_is_clockwise: state.front_face == FrontFace::Clockwise,
         provoking: state.provoking_vertex,
@@ -439,6 +486,7 @@ fn view<'a>(
             corners: Corners::Sequential,
             source: Source::Range(0),
             records: &stroke_records[records.clone()],
+            screen: &[],
             front_is_clockwise: true,
             provoking: ProvokingVertex::First,
             strokes: Some(StrokeView {

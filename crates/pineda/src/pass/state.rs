@@ -1,6 +1,8 @@
 //! The fixed-function settings of a draw: plain structs with defaults.
 
-use super::{Blend, ColorMask, ColorState, PolygonMode, PrimitiveTopology, ProvokingVertex, StencilState};
+use super::{
+    Blend, ColorMask, ColorState, Conservative, PolygonMode, PrimitiveTopology, ProvokingVertex, Sampling, StencilState,
+};
 
 /// Everything about a draw that is not its shader or its mesh.
 ///
@@ -16,6 +18,8 @@ pub struct DrawState {
     pub topology: PrimitiveTopology,
     /// What is drawn of triangles: all of them, their edges, or their corners.
     pub polygon_mode: PolygonMode,
+    /// Whether triangles cover every pixel that they touch, or only those that they cover whole.
+    pub conservative: Conservative,
     /// Pixels across a line, 1 to [`MAX_LINE_WIDTH`](crate::MAX_LINE_WIDTH).
     ///
     /// A line of width 1 is drawn by the *diamond exit* rule: of the pixels around whose centres there is a diamond, |dx| + |dy| < 1/2, it covers those
@@ -23,7 +27,7 @@ pub struct DrawState {
     /// it passes. Ties are decided as if both ends lay a little further left and, far less, further up, as in OpenGL and Vulkan, and as the
     /// top-left rule has it. All of it is done in integers: see `crates/pineda/src/raster/diamond_exit.rs`.
     ///
-    /// A wider one is a rectangle, with ends at right angles where the line ends (Vulkan's rectangular lines), drawn by the rules for triangles.
+    /// A wider one, or any where pixels have [several samples](crate::Target::samples), is a rectangle, with ends at right angles where the line ends (Vulkan's rectangular lines), drawn by the rules for triangles.
     /// Its corners are snapped to 1/256 pixel.
     ///
     /// Along a line, varyings are interpolated between its ends as its distance in perspective, `#[noperspective]` ones and depth as the distance on the picture;
@@ -144,6 +148,22 @@ pub struct DrawState {
     pub depth_bias: DepthBias,
     /// Whether what lies before the near plane or beyond the far one is drawn, with the nearest or farthest depth of the viewport, instead of
     /// being clipped. What lies behind the eye is clipped nevertheless.
+    /// ```
+    /// use pineda::*;
+    /// let beyond = [[-1.0, 1.0, 2.0, 1.0], [-1.0, -1.0, 2.0, 1.0], [1.0, -1.0, 2.0, 1.0]];
+    /// let drawn = |depth_clamp| {
+    ///     let mut pass = Pass::new();
+    ///     pass.draw_with(
+    ///         Mesh { vertices: &beyond, indices: Indices::Sequential },
+    ///         DrawState { depth_clamp, depth: DepthState::OFF, ..DrawState::default() },
+    ///         |&corner| (Vec4::from(corner), ()),
+    ///         |f| Rgba::gray(f.z()),
+    ///     );
+    ///     Ok::<_, Error>(Renderer::new(Settings::default())?.render_counted(&pass, &mut Target::new(64, 64))?[0].samples_passed)
+    /// };
+    /// assert_eq!((drawn(false)?, drawn(true)?), (0, 32 * 63));
+    /// # Ok::<(), Error>(())
+    /// ```
     pub depth_clamp: bool,
     /// The stencil test; `None` for none.
     pub stencil: Option<StencilState>,
@@ -162,6 +182,30 @@ pub struct DrawState {
     /// ```
     // As long as `MAX_COLORS`, by number: closures that capture fields of such a type whose length is a constant's name crash rustc 1.95.
     pub colors: [Option<ColorState>; 8],
+    /// Where fragments are shaded if the target has [several samples](crate::Target::samples).
+    pub sampling: Sampling,
+    /// Which of a pixel's samples are covered at most: bit k is for sample k. Bits beyond the target's samples are ignored.
+    pub sample_mask: u32,
+    /// Whether the alpha of what the fragment stage returns (first) decides how many of a pixel's samples are covered: the first `round(alpha n)` of n, of those that the
+    /// triangle covers. So foliage and hair may be drawn without sorting. Colours of integers have no alpha, and are not touched.
+    ///
+    /// ```
+    /// use pineda::*;
+    /// let corners = [[0.0, 0.0], [0.0, 2.0], [2.0, 0.0]];
+    /// let mut pass = Pass::new();
+    /// pass.draw_with(
+    ///     Mesh { vertices: &corners, indices: Indices::Sequential },
+    ///     DrawState { alpha_to_coverage: true, space: Space::Raster, ..DrawState::default() },
+    ///     |&[x, y]| (Vec4::from([x, y, 0.0, 1.0]), ()),
+    ///     |f| Rgba::from(f.splat([1.0, 1.0, 1.0, 0.5])),
+    /// );
+    /// let mut pixels = [[0.0; 4]; 1];
+    /// let mut target = Target { samples: Samples::Four, color: ColorBuffer::Rgba32F(&mut pixels), ..Target::new(1, 1) };
+    /// Renderer::new(Settings::default())?.render(&pass, &mut target)?;
+    /// assert_eq!(pixels[0], [0.5, 0.5, 0.5, 0.25], "two samples of four, with an alpha of 0.5");
+    /// # Ok::<(), Error>(())
+    /// ```
+    pub alpha_to_coverage: bool,
     /// The part of the target that is drawn to; all of it when `None`.
     pub viewport: Option<Viewport>,
     /// Nothing is drawn outside of it; no bounds but the viewport's when `None`.
@@ -174,6 +218,7 @@ impl DrawState {
         space: Space::Clip,
         topology: PrimitiveTopology::TriangleList,
         polygon_mode: PolygonMode::Fill,
+        conservative: Conservative::Off,
         line_width: 1.0,
         smooth_lines: false,
         point_size: 1.0,
@@ -188,6 +233,9 @@ impl DrawState {
         blend: Blend::OPAQUE,
         color_mask: ColorMask::ALL,
         colors: [None; 8],
+        sampling: Sampling::Centroid,
+        sample_mask: u32::MAX,
+        alpha_to_coverage: false,
         viewport: None,
         scissor: None,
     };
@@ -200,6 +248,27 @@ impl Default for DrawState {
 }
 
 /// The space of the positions that a vertex stage returns.
+///
+/// ```
+/// use pineda::*;
+/// let drawn = |space, corners: [[f32; 2]; 3]| {
+///     let mut pass = Pass::new();
+///     pass.draw_with(
+///         Mesh { vertices: &corners, indices: Indices::Sequential },
+///         DrawState { space, ..DrawState::default() },
+///         |&[x, y]| (Vec4::from([x, y, 0.5, 1.0]), ()),
+///         |f| Rgba::gray(f.z()),
+///     );
+///     let mut hits = vec![0; 64 * 64];
+///     let mut target = Target { hits: Some(&mut hits), ..Target::new(64, 64) };
+///     Renderer::new(Settings::default())?.render(&pass, &mut target)?;
+///     Ok::<_, Error>(hits)
+/// };
+/// // The lower left half of the picture: y up, and y down.
+/// let clip = drawn(Space::Clip, [[-1.0, 1.0], [-1.0, -1.0], [1.0, -1.0]])?;
+/// assert!(clip == drawn(Space::Raster, [[0.0, 0.0], [0.0, 64.0], [64.0, 64.0]])?);
+/// # Ok::<(), Error>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub enum Space {
     /// Homogeneous clip space (x, y, z, w): x right, y up, visible where `-w <= x, y <= w` and `0 <= z <= w`.
@@ -213,6 +282,26 @@ pub enum Space {
 }
 
 /// Which faces are left out, decided on snapped positions.
+///
+/// ```
+/// use pineda::*;
+/// // Counter-clockwise on the picture, for y points down here.
+/// let corners = [[0.0, 0.0], [0.0, 64.0], [64.0, 64.0]];
+/// let culled = |cull, front_face| {
+///     let mut pass = Pass::new();
+///     pass.draw_with(
+///         Mesh { vertices: &corners, indices: Indices::Sequential },
+///         DrawState { cull, front_face, space: Space::Raster, ..DrawState::default() },
+///         |&[x, y]| (Vec4::from([x, y, 0.5, 1.0]), ()),
+///         |f| Rgba::gray(f.z()),
+///     );
+///     Ok::<_, Error>(Renderer::new(Settings::default())?.render_counted(&pass, &mut Target::new(64, 64))?[0].culled)
+/// };
+/// assert_eq!(culled(Cull::Back, FrontFace::CounterClockwise)?, 0);
+/// assert_eq!(culled(Cull::Back, FrontFace::Clockwise)?, 1);
+/// assert_eq!(culled(Cull::None, FrontFace::Clockwise)?, 0);
+/// # Ok::<(), Error>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub enum Cull {
     /// None: both faces are drawn.
@@ -224,7 +313,7 @@ pub enum Cull {
     Back,
 }
 
-/// Which winding is the front, as seen on the picture.
+/// Which winding is the front, as seen on the picture; with an example at [`Cull`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub enum FrontFace {
     /// Counter-clockwise, as in glTF and OpenGL.
@@ -235,6 +324,29 @@ pub enum FrontFace {
 }
 
 /// The depth test: a fragment passes if `compare(its depth, the target's depth)`, and then replaces it if `write`.
+///
+/// Reversed z, for which 1 is near, so that floats are finest far away:
+///
+/// ```
+/// use pineda::*;
+/// let layers = [0.25, 0.75, 0.5].map(|z| [[0.0, 0.0, z, 1.0], [0.0, 64.0, z, 1.0], [64.0, 64.0, z, 1.0]]);
+/// let nearer = DepthState { compare: Compare::Greater, write: true };
+/// let mut pass = Pass::new();
+/// pass.clear_depth = Some(0.0);
+/// for corners in &layers {
+///     pass.draw_with(
+///         Mesh { vertices: &corners[..], indices: Indices::Sequential },
+///         DrawState { depth: nearer, space: Space::Raster, ..DrawState::default() },
+///         |&corner: &[f32; 4]| (corner.into(), ()),
+///         |f| Rgba::gray(f.z()),
+///     );
+/// }
+/// let mut depth = vec![0.0; 64 * 64];
+/// let mut target = Target { depth: DepthBuffer::D32F(&mut depth), ..Target::new(64, 64) };
+/// Renderer::new(Settings::default())?.render(&pass, &mut target)?;
+/// assert_eq!((depth[63 * 64], depth[63]), (0.75, 0.0));
+/// # Ok::<(), Error>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct DepthState {
     /// The comparison.
@@ -289,7 +401,7 @@ impl DepthBias {
     }
 }
 
-/// A comparison of a fragment's depth with the one that is there.
+/// A comparison of a fragment's depth with the one that is there, or of a [stencil](crate::StencilFace) reference; with an example at [`DepthState`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Default)]
 pub enum Compare {
     /// Nothing passes.

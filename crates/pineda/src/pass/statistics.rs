@@ -1,6 +1,24 @@
 use super::PrimitiveTopology;
 
 /// What became of the triangles, lines and points of a pass.
+///
+/// ```
+/// use pineda::*;
+/// let inside = [[-1.0, 1.0, 0.5], [-1.0, -1.0, 0.5], [1.0, -1.0, 0.5]];
+/// let beyond = inside.map(|[x, y, _]| [x, y, 2.0]);
+/// let broken = inside.map(|[x, y, _]| [x, y, f32::NAN]);
+/// let triangles = [inside, beyond, broken];
+/// let mut pass = Pass::new();
+/// pass.draw_with(
+///     Mesh { vertices: triangles.as_flattened(), indices: Indices::Sequential },
+///     DrawState::default(),
+///     |&[x, y, z]| (Vec4::from([x, y, z, 1.0]), ()),
+///     |f| Rgba::gray(f.z()),
+/// );
+/// let statistics = Renderer::new(Settings::default())?.render(&pass, &mut Target::new(64, 64))?;
+/// assert_eq!((statistics.triangles, statistics.outside, statistics.non_finite), (3, 1, 1));
+/// # Ok::<(), Error>(())
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Statistics {
@@ -25,6 +43,28 @@ pub struct Statistics {
 ///
 /// Every triangle that comes in is at most one of `non_finite`, `outside`, `degenerate` and `culled`. No number depends on threads or on the SIMD level; those that depend
 /// on anything else of [`Settings`](crate::Settings) say so.
+///
+/// ```
+/// use pineda::*;
+/// // From far to near, each over all of the picture.
+/// let layers = [0.75, 0.5, 0.25].map(|z| [[0.0, 0.0, z, 1.0], [0.0, 64.0, z, 1.0], [64.0, 0.0, z, 1.0]]);
+/// let mut pass = Pass::new();
+/// for (corners, blend) in layers.iter().zip([Blend::OPAQUE, Blend::OPAQUE, Blend::ALPHA]) {
+///     pass.draw_with(
+///         Mesh { vertices: &corners[..], indices: Indices::Sequential },
+///         DrawState { blend, space: Space::Raster, ..DrawState::default() },
+///         |&corner: &[f32; 4]| (corner.into(), ()),
+///         |f| Rgba::gray(f.z()),
+///     );
+/// }
+/// let mut pixels = vec![[0; 4]; 32 * 32];
+/// let mut target = Target { color: ColorBuffer::Rgba8(&mut pixels), ..Target::new(32, 32) };
+/// let draws = Renderer::new(Settings::default())?.render_counted(&pass, &mut target)?;
+/// assert_eq!(draws.iter().map(|draw| draw.samples_passed).collect::<Vec<_>>(), [1024, 1024, 1024]);
+/// // The first was hidden before anything was shaded.
+/// assert_eq!(draws.iter().map(|draw| draw.samples_written).collect::<Vec<_>>(), [0, 1024, 1024]);
+/// # Ok::<(), Error>(())
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct DrawStatistics {
@@ -54,6 +94,10 @@ pub struct DrawStatistics {
     /// Samples that passed all tests when it was their turn, and were not discarded: an occlusion query. 0 says that nothing of the draw was
     /// visible on top of the draws before it.
     pub samples_passed: u64,
+    /// Samples that were written, each time that one was. Of opaque draws, those that passed but were hidden again before anything was shaded are none: the difference to
+    /// `samples_passed` is the work that was saved, and depends on the size of tiles and on flushes. Of draws that blend, discard, test stencil, leave depth as it is, or write no colour at all, it is
+    /// all that passed. What colour masks and write masks then let through makes no difference.
+    pub samples_written: u64,
 }
 
 impl DrawStatistics {
@@ -70,6 +114,7 @@ impl DrawStatistics {
         self.tiles += other.tiles;
         self.fragments_shaded += other.fragments_shaded;
         self.samples_passed += other.samples_passed;
+        self.samples_written += other.samples_written;
     }
 }
 

@@ -35,6 +35,32 @@ impl StencilState {
 
 /// The stencil test of one face: a fragment passes if `compare(reference & read_mask, stored & read_mask)`. Then one of three operations is applied to
 /// what is stored, to those of its bits that `write_mask` names. A fragment that its shader discards changes nothing.
+///
+/// How many triangles lie over each pixel:
+///
+/// ```
+/// use pineda::*;
+/// let corners = [[0.0, 0.0], [0.0, 64.0], [64.0, 64.0], [0.0, 0.0], [0.0, 32.0], [64.0, 32.0]];
+/// let count = StencilFace { pass: StencilOperation::IncrementClamp, ..StencilFace::IGNORE };
+/// let mut pass = Pass::new();
+/// pass.draw_with(
+///     Mesh { vertices: &corners, indices: Indices::Sequential },
+///     DrawState {
+///         stencil: Some(StencilState::both(count)),
+///         depth: DepthState::OFF,
+///         color_mask: ColorMask::NONE,
+///         space: Space::Raster,
+///         ..DrawState::default()
+///     },
+///     |&[x, y]| (Vec4::from([x, y, 0.5, 1.0]), ()),
+///     |f| Rgba::gray(f.z()),
+/// );
+/// let mut stencil = vec![0; 64 * 64];
+/// let mut target = Target { stencil: Some(&mut stencil), ..Target::new(64, 64) };
+/// Renderer::new(Settings::default())?.render(&pass, &mut target)?;
+/// assert_eq!([0, 31, 63].map(|row| stencil[64 * row]), [1, 2, 1]);
+/// # Ok::<(), Error>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct StencilFace {
     /// The comparison of the reference with what is stored.
@@ -72,7 +98,7 @@ impl Default for StencilFace {
     }
 }
 
-/// What becomes of a stencil value.
+/// What becomes of a stencil value; with an example at [`StencilFace`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Default)]
 pub enum StencilOperation {
     /// It stays.

@@ -2,7 +2,8 @@
 
 use super::assembly::{Assembly, Row, STRETCH, Stretch, StretchSummary, Strip, stretches, summarize};
 use super::draw_call::DrawCall;
-use super::{Indices, MAX_LINE_WIDTH, MAX_POINT_SIZE, Pass, PrimitiveTopology};
+use super::strokes;
+use super::{Conservative, Indices, MAX_LINE_WIDTH, MAX_POINT_SIZE, Pass, PrimitiveTopology};
 use crate::wide::dispatch;
 use crate::{Error, parallel};
 use fearless_simd::Level;
@@ -111,6 +112,9 @@ fn extent(draw: usize, call: &(dyn DrawCall + '_)) -> Result<DrawExtent, Error> 
             let value = value.to_string();
             return Err(Error::LineOrPointSize { draw, field, value, least, most });
         }
+    }
+    if state.conservative != Conservative::Off && strokes::shape(state).is_some() {
+        return Err(Error::ConservativeStrokes { draw });
     }
     if state.topology.is_list() && state.primitive_restart {
         return Err(Error::RestartInList { draw });

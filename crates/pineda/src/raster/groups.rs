@@ -1,10 +1,11 @@
 //! Coverage that is known pixel by pixel, as records: those of [small triangles](SmallTriangle), each of which holds the coverage of 2 x 2 blocks.
 //!
 //! Groups of 8 x 8 pixels lie where 8 divides their first pixel's coordinates, and so within a tile of any size: which of them there are depends on
-//! nothing but the picture. A group's depths are anchored at its first sample.
+//! nothing but the picture. A group's depths are anchored at its first pixel's centre, and are the same for all samples of a pixel.
 
 use super::bins::{BinEntry, Kind, Share, TileGrid};
-use super::record::{DepthPlane, SmallTriangle};
+use super::record::{DepthPlane, SmallTriangle, plane_bits};
+use super::samples::SampleSet;
 use crate::geometry::raster_space::{HALF_PIXEL, SUBPIXELS};
 
 /// log2 of a group's side in pixels.
@@ -35,6 +36,12 @@ impl LinearDepth {
         Self { at: a, z: za.into(), dz_dx: rise * dx / length_squared, dz_dy: rise * dy / length_squared }
     }
 
+    /// At a place on the raster.
+    pub(crate) fn at(&self, [x, y]: [i32; 2]) -> f32 {
+        let distance = |to: i32, from: i32| f64::from(to - from);
+        (self.z + (self.dz_dx * distance(x, self.at[0]) + self.dz_dy * distance(y, self.at[1]))) as f32
+    }
+
     /// The plane, anchored at the first sample of group (x, y).
     fn at_group(&self, x: i32, y: i32) -> DepthPlane {
         let distance = |group: i32, from: i32| f64::from((group << GROUP_BITS) * SUBPIXELS + HALF_PIXEL - from);
@@ -48,6 +55,8 @@ impl LinearDepth {
 pub(crate) struct Groups<'a> {
     share: &'a mut Share,
     grid: TileGrid,
+    /// All of a pixel's samples are covered, or none.
+    samples: SampleSet,
     /// Of the primitive that is covered: see [`TriangleId`](super::triangle_id::TriangleId).
     id: u32,
     depth: LinearDepth,
@@ -57,8 +66,8 @@ pub(crate) struct Groups<'a> {
 }
 
 impl<'a> Groups<'a> {
-    pub(crate) fn new(share: &'a mut Share, grid: TileGrid, id: u32, depth: LinearDepth) -> Self {
-        Self { share, grid, id, depth, group: [0; 2], masks: [0; 2] }
+    pub(crate) fn new(share: &'a mut Share, grid: TileGrid, samples: SampleSet, id: u32, depth: LinearDepth) -> Self {
+        Self { share, grid, samples, id, depth, group: [0; 2], masks: [0; 2] }
     }
 
     /// Covers a pixel of the picture.
@@ -81,20 +90,15 @@ impl<'a> Groups<'a> {
         }
         let [x, y] = self.group;
         let DepthPlane { z0, dz_dx, dz_dy } = self.depth.at_group(x, y);
-        let entry = BinEntry::new(Kind::Small, self.share.small.len());
         let first_block = (2 * x) | (2 * y) << 16;
         let depth = [z0, dz_dx, dz_dy].map(f32::to_bits);
-        self.share.small.push(SmallTriangle([
-            self.id,
-            first_block as u32,
-            left,
-            right,
-            depth[0],
-            depth[1],
-            depth[2],
-            0,
-        ]));
         let tile = |group: i32| ((group << GROUP_BITS) >> self.grid.log2) as usize;
-        self.share.bins[tile(y) * self.grid.columns as usize + tile(x)].push(entry);
+        let bin = tile(y) * self.grid.columns as usize + tile(x);
+        let mut rest = self.samples.mask;
+        while let Some(sample) = self.samples.take(&mut rest) {
+            let at = (first_block | plane_bits(sample.plane)) as u32;
+            self.share.bins[bin].push(BinEntry::new(Kind::Small, self.share.small.len()));
+            self.share.small.push(SmallTriangle([self.id, at, left, right, depth[0], depth[1], depth[2], 0]));
+        }
     }
 }

@@ -1,13 +1,17 @@
 //! Triangles, lines and points: from points of the raster to records in the bins of tiles.
 
 pub(crate) mod bins;
+pub(crate) mod conservative;
 pub(crate) mod corners;
 pub(crate) mod depth_bias;
 pub(crate) mod diamond_exit;
 pub(crate) mod groups;
 pub(crate) mod record;
+pub(crate) mod rows;
+pub(crate) mod samples;
 pub(crate) mod setup;
 pub(crate) mod smooth;
+pub(crate) mod strips;
 pub(crate) mod stroke;
 pub(crate) mod top_left;
 pub(crate) mod triangle_id;

@@ -2,7 +2,7 @@
 //!
 //! Records are rows of 32-bit words, so that setup can build sixteen at once and turn them round with shuffles. All of
 //! them hold the depth's plane, anchored at the first vertex in canonical order: `z = (z0 + dz_dx fx) + dz_dy fy`, where fx and fy
-//! are the sample's distances from that vertex in pixels.
+//! are the sample's distances from that vertex in pixels. Each is of one sample of the pixels: see [`super::samples`].
 
 use super::depth_bias::Bias;
 use crate::geometry::raster_space::SUBPIXELS;
@@ -17,7 +17,7 @@ const _: () = assert!(2 * MID_EXTENT as i64 * (MID_EXTENT as i64 + 1023) < i32::
 
 /// A triangle whose samples lie within 4 x 4 pixels, with its coverage.
 ///
-/// Words: id; block x, y (u16 each); coverage of the left two blocks (16 bits each, upper block in the low half); of the right two;
+/// Words: id; block x (16 bits), block y (12), plane (4); coverage of the left two blocks (16 bits each, upper block in the low half); of the right two;
 /// z0; dz/dx; dz/dy; distance of the first block's first sample from the anchor, x and y (i16 subpixels each).
 #[derive(Clone, Copy, Debug)]
 #[repr(C, align(32))]
@@ -27,7 +27,7 @@ pub(crate) struct SmallTriangle(pub(crate) [u32; 8]);
 ///
 /// Words: id; first and last sample column (u16 each); rows; z0; dz/dx; dz/dy; distance of the first block's first sample from the
 /// anchor, x; y (i32 subpixels); the three edge functions there, over 256, rounded down; their steps a pixel right and down (i16 each),
-/// one word an edge; two unused.
+/// one word an edge; the plane; one unused.
 #[derive(Clone, Copy, Debug)]
 #[repr(C, align(64))]
 pub(crate) struct MidTriangle(pub(crate) [u32; 16]);
@@ -35,10 +35,27 @@ pub(crate) struct MidTriangle(pub(crate) [u32; 16]);
 /// Any other triangle, with its vertices.
 ///
 /// Words: id; first and last sample column (u16 each); rows; z0; dz/dx; dz/dy; the vertices in canonical order, x and y each;
-/// a bit for each edge that is a top or left edge; the second and third vertex's depths; one unused.
+/// a bit for each edge that is a top or left edge; the second and third vertex's depths; the plane.
 #[derive(Clone, Copy, Debug)]
 #[repr(C, align(64))]
 pub(crate) struct LargeTriangle(pub(crate) [u32; 16]);
+
+/// Where a small record has its sample's plane.
+const PLANE_SHIFT: u32 = 28;
+
+/// A plane's number, for the word of a small record that holds its block.
+pub(crate) fn plane_bits(plane: u32) -> i32 {
+    (plane << PLANE_SHIFT) as i32
+}
+
+impl SmallTriangle {
+    /// Its first block, across and down, and its sample's plane.
+    #[inline(always)]
+    pub(crate) fn place(&self) -> (i32, i32, usize) {
+        let at = self.0[1];
+        ((at & 0xffff) as i32, (at >> 16 & 0xfff) as i32, (at >> PLANE_SHIFT) as usize)
+    }
+}
 
 /// First and last sample column and row: words 1 and 2 of mid and large records.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -13,7 +13,8 @@
 use super::bins::{BinEntry, Kind, Share, TileGrid, bin, bin_large};
 use super::corners::{Corners, Sixteen};
 use super::depth_bias::Bias;
-use super::record::{LargeTriangle, MID_EXTENT, MidTriangle, SMALL_EXTENT, SampleBox, SmallTriangle};
+use super::record::{LargeTriangle, MID_EXTENT, MidTriangle, SMALL_EXTENT, SampleBox, SmallTriangle, plane_bits};
+use super::samples::{Sample, SampleSet};
 use super::top_left::is_top_left;
 use super::triangle_id::{CLIPPED_CLOCKWISE, CLIPPED_COUNTER_CLOCKWISE, ORDER_BITS, TriangleId};
 use crate::geometry::clip::{ClipTriangle, Clipped, clip};
@@ -37,6 +38,7 @@ pub(crate) struct SetupState<'a> {
     pub(crate) grid: TileGrid,
     /// No sample outside is covered.
     pub(crate) rect: PixelRect,
+    pub(crate) samples: SampleSet,
     pub(crate) cull_clockwise: bool,
     pub(crate) cull_counter_clockwise: bool,
     pub(crate) bias: Option<Bias>,
@@ -113,34 +115,46 @@ fn careful<S: Simd>(
     number: usize,
     share: &mut Share,
 ) {
+    let Some((clipped, offset)) = clipped(state, places, screen, share) else { return };
+    s.vectorize(
+        #[inline(always)]
+        || emit_clipped(s, state, &clipped, offset, number, share),
+    );
+}
+
+/// What is left of a triangle with a vertex off the raster, and the offset of its depths. `None` if it is dropped or culled, or if nothing is left of it; which is
+/// counted.
+pub(crate) fn clipped(
+    state: &SetupState<'_>,
+    places: [usize; 3],
+    screen: &[ScreenVertex],
+    share: &mut Share,
+) -> Option<(Clipped, f32)> {
     let vertices = places.map(|k| screen[k]);
     let codes = vertices.map(ScreenVertex::outcode);
     if (codes[0] | codes[1] | codes[2]) & outcode::NON_FINITE != 0 {
         share.statistics.non_finite += 1;
-        return;
+        return None;
     }
     if codes[0] & codes[1] & codes[2] != 0 {
         share.statistics.outside += 1;
-        return;
+        return None;
     }
     share.statistics.clipped += 1;
     let triangle = (state.vertices)(places);
     let Some(clipped) = clip(state.projection, &triangle, vertices) else {
         share.degenerate += u64::from(state.counts);
-        return;
+        return None;
     };
     if if clipped.is_clockwise { state.cull_clockwise } else { state.cull_counter_clockwise } {
         share.culled += u64::from(state.counts);
-        return;
+        return None;
     }
     let offset = state.bias.map_or(0.0, |bias| {
         let depths: Vec<f32> = clipped.triangles().as_flattened().iter().map(|v| v.z()).collect();
         bias.offset_of_clipped(state.projection, triangle.positions, &depths)
     });
-    s.vectorize(
-        #[inline(always)]
-        || emit_clipped(s, state, &clipped, offset, number, share),
-    );
+    Some((clipped, offset))
 }
 
 #[inline(always)]
@@ -171,21 +185,20 @@ fn emit<S: Simd>(
     share: &mut Share,
 ) {
     let Sixteen { x: [x0, x1, x2], y: [y0, y1, y2], z } = *triangles;
-    let min_x = x0.min(x1).min(x2);
-    let max_x = x0.max(x1).max(x2);
-    let min_y = y0.min(y1).min(y2);
-    let max_y = y0.max(y1).max(y2);
-    // The first sample at or after the box's left border, the last before its right one: no sample on a right or a bottom border is
-    // covered, for such a border is no top or left edge.
-    let rect = state.rect;
-    let column0 = ((min_x + (HALF_PIXEL - 1)) >> SUBPIXEL_BITS).max(rect.x0);
-    let column1 = ((max_x - (HALF_PIXEL + 1)) >> SUBPIXEL_BITS).min(rect.x1 - 1);
-    let row0 = ((min_y + (HALF_PIXEL - 1)) >> SUBPIXEL_BITS).max(rect.y0);
-    let row1 = ((max_y - (HALF_PIXEL + 1)) >> SUBPIXEL_BITS).min(rect.y1 - 1);
+    let reach = Reach {
+        min_x: x0.min(x1).min(x2),
+        max_x: x0.max(x1).max(x2),
+        min_y: y0.min(y1).min(y2),
+        max_y: y0.max(y1).max(y2),
+    };
     let asked = mask32x16::from_bitmask(s, lanes);
-    let mut live = column0.simd_le(column1) & row0.simd_le(row1) & asked;
+    let mut live = asked;
+    if state.samples.samples.is_one() {
+        // Before anything else: most of the smallest triangles miss all samples.
+        live = live & reach.pixels(&state.rect, [0, 0]).has_any();
+    }
 
-    let is_large = (max_x - min_x).simd_gt(MID_EXTENT) | (max_y - min_y).simd_gt(MID_EXTENT);
+    let is_large = reach.is_large();
     let counts = state.counts && clipped.is_none();
     let area = area_x2(s, triangles, is_large & if counts { asked } else { live });
     let counter_clockwise = area.simd_lt(0.0);
@@ -219,12 +232,6 @@ fn emit<S: Simd>(
     let ids = if clipped.is_some() { ids } else { ids + order.code(s) };
 
     let (ax, ay, bx, by) = (x[1] - x[0], y[1] - y[0], x[2] - x[0], y[2] - y[0]);
-    let (cx, cy) = (x[2] - x[1], y[2] - y[1]);
-    let edges = [
-        Edge { x: x[0], y: y[0], dx: ax, dy: ay },
-        Edge { x: x[1], y: y[1], dx: cx, dy: cy },
-        Edge { x: x[2], y: y[2], dx: -bx, dy: -by },
-    ];
     // The depth's plane, in 1/pixel. All differences are exact in f32.
     let scale = f32x16::splat(s, SUBPIXELS as f32) / area.abs();
     let (dz1, dz2) = (z[1] - z[0], z[2] - z[0]);
@@ -239,7 +246,69 @@ fn emit<S: Simd>(
         };
         z[0] = is_large.select(z[0], z[0] + offset);
     }
-    let facts = Facts { ids, x, y, z, dz_dx, dz_dy, column0, column1, row0, row1, edges };
+    let mut rest = state.samples.mask;
+    while let Some(sample) = state.samples.take(&mut rest) {
+        let facts = Facts::new(ids, x, y, z, dz_dx, dz_dy, reach.pixels(&state.rect, sample.offset), sample);
+        emit_sample(s, state, &facts, is_large, clipped, live & facts.pixels.has_any(), share);
+    }
+}
+
+/// What the vertices of sixteen triangles reach, in subpixels.
+#[derive(Clone, Copy)]
+struct Reach<S: Simd> {
+    min_x: i32x16<S>,
+    max_x: i32x16<S>,
+    min_y: i32x16<S>,
+    max_y: i32x16<S>,
+}
+
+/// The first and the last pixel, across and down, whose sample a triangle may cover.
+#[derive(Clone, Copy)]
+struct Pixels<S: Simd> {
+    column0: i32x16<S>,
+    column1: i32x16<S>,
+    row0: i32x16<S>,
+    row1: i32x16<S>,
+}
+
+impl<S: Simd> Reach<S> {
+    #[inline(always)]
+    fn is_large(&self) -> mask32x16<S> {
+        (self.max_x - self.min_x).simd_gt(MID_EXTENT) | (self.max_y - self.min_y).simd_gt(MID_EXTENT)
+    }
+
+    /// The first sample at or after the left border, the last before the right one: no sample on a right or a bottom border is covered, for
+    /// such a border is no top or left edge.
+    #[inline(always)]
+    fn pixels(&self, rect: &PixelRect, [ox, oy]: [i32; 2]) -> Pixels<S> {
+        Pixels {
+            column0: ((self.min_x + (HALF_PIXEL - 1 - ox)) >> SUBPIXEL_BITS).max(rect.x0),
+            column1: ((self.max_x - (HALF_PIXEL + 1 + ox)) >> SUBPIXEL_BITS).min(rect.x1 - 1),
+            row0: ((self.min_y + (HALF_PIXEL - 1 - oy)) >> SUBPIXEL_BITS).max(rect.y0),
+            row1: ((self.max_y - (HALF_PIXEL + 1 + oy)) >> SUBPIXEL_BITS).min(rect.y1 - 1),
+        }
+    }
+}
+
+impl<S: Simd> Pixels<S> {
+    #[inline(always)]
+    fn has_any(&self) -> mask32x16<S> {
+        self.column0.simd_le(self.column1) & self.row0.simd_le(self.row1)
+    }
+}
+
+/// Leaves the records of those of sixteen triangles that may cover a sample of some pixel: one sample of each pixel, always the same.
+#[inline(always)]
+fn emit_sample<S: Simd>(
+    s: S,
+    state: &SetupState<'_>,
+    facts: &Facts<S>,
+    is_large: mask32x16<S>,
+    clipped: Option<f32>,
+    live: mask32x16<S>,
+    share: &mut Share,
+) {
+    let Pixels { column0, column1, row0, row1 } = facts.pixels;
     let (columns, rows) = (column1 - column0, row1 - row0);
     let is_small = columns.simd_lt(SMALL_EXTENT) & rows.simd_lt(SMALL_EXTENT) & live & !is_large;
     let mut small_rows = [[0; 8]; 16];
@@ -247,7 +316,7 @@ fn emit<S: Simd>(
     let large_lanes = (is_large & live).to_bitmask();
     let mut small_lanes = is_small.to_bitmask();
     if small_lanes != 0 {
-        let covering = small_records(s, &facts, &mut small_rows);
+        let covering = small_records(s, facts, &mut small_rows);
         // Most of the smallest triangles lie between samples.
         live_lanes &= !small_lanes | covering;
         small_lanes &= covering;
@@ -255,11 +324,11 @@ fn emit<S: Simd>(
     let mid_lanes = live_lanes & !small_lanes & !large_lanes;
     let mut mid_rows = [[0; 16]; 16];
     if mid_lanes != 0 {
-        mid_records(s, &facts, &mut mid_rows);
+        mid_records(s, facts, &mut mid_rows);
     }
     let mut large_rows = [[0; 16]; 16];
     if large_lanes != 0 {
-        large_records(s, &facts, &mut large_rows);
+        large_records(s, facts, &mut large_rows);
     }
 
     let log2 = state.grid.log2;
@@ -300,18 +369,35 @@ struct Facts<S: Simd> {
     z: [f32x16<S>; 3],
     dz_dx: f32x16<S>,
     dz_dy: f32x16<S>,
-    column0: i32x16<S>,
-    column1: i32x16<S>,
-    row0: i32x16<S>,
-    row1: i32x16<S>,
+    pixels: Pixels<S>,
     edges: [Edge<S>; 3],
+    plane: u32,
 }
 
 impl<S: Simd> Facts<S> {
+    /// Of triangles on a raster that is moved, so that the sample lies where the pixel's centre would.
+    #[inline(always)]
+    #[expect(clippy::too_many_arguments, reason = "one call, inlined")]
+    fn new(
+        ids: i32x16<S>,
+        x: [i32x16<S>; 3],
+        y: [i32x16<S>; 3],
+        z: [f32x16<S>; 3],
+        dz_dx: f32x16<S>,
+        dz_dy: f32x16<S>,
+        pixels: Pixels<S>,
+        Sample { plane, offset: [ox, oy] }: Sample,
+    ) -> Self {
+        let x = [x[0] - ox, x[1] - ox, x[2] - ox];
+        let y = [y[0] - oy, y[1] - oy, y[2] - oy];
+        let edge = |a: usize, b: usize| Edge { x: x[a], y: y[a], dx: x[b] - x[a], dy: y[b] - y[a] };
+        Self { ids, x, y, z, dz_dx, dz_dy, pixels, edges: [edge(0, 1), edge(1, 2), edge(2, 0)], plane }
+    }
+
     /// The first sample of the box's first block.
     #[inline(always)]
     fn first_sample(&self) -> (i32x16<S>, i32x16<S>) {
-        (((self.column0 >> 2) << 10) + HALF_PIXEL, ((self.row0 >> 2) << 10) + HALF_PIXEL)
+        (((self.pixels.column0 >> 2) << 10) + HALF_PIXEL, ((self.pixels.row0 >> 2) << 10) + HALF_PIXEL)
     }
 
     /// The words that mid and large records begin with.
@@ -319,8 +405,8 @@ impl<S: Simd> Facts<S> {
     fn head(&self) -> [u32x16<S>; 6] {
         [
             self.ids.bitcast(),
-            (self.column0 | (self.column1 << 16)).bitcast(),
-            (self.row0 | (self.row1 << 16)).bitcast(),
+            (self.pixels.column0 | (self.pixels.column1 << 16)).bitcast(),
+            (self.pixels.row0 | (self.pixels.row1 << 16)).bitcast(),
             self.z[0].bitcast(),
             self.dz_dx.bitcast(),
             self.dz_dy.bitcast(),
@@ -338,11 +424,11 @@ fn small_records<S: Simd>(s: S, facts: &Facts<S>, out: &mut [[u32; 8]; 16]) -> u
         #[inline(always)]
         || {
             let coverage = small_coverage(s, facts);
-            let (left, right) = block_masks(s, coverage, facts.column0 & 3, facts.row0 & 3);
+            let (left, right) = block_masks(s, coverage, facts.pixels.column0 & 3, facts.pixels.row0 & 3);
             let (first_x, first_y) = facts.first_sample();
             *out = transpose8([
                 facts.ids.bitcast(),
-                ((facts.column0 >> 2) | ((facts.row0 >> 2) << 16)).bitcast(),
+                ((facts.pixels.column0 >> 2) | ((facts.pixels.row0 >> 2) << 16) | plane_bits(facts.plane)).bitcast(),
                 left.bitcast(),
                 right.bitcast(),
                 facts.z[0].bitcast(),
@@ -377,7 +463,7 @@ fn mid_records<S: Simd>(s: S, facts: &Facts<S>, out: &mut [[u32; 16]; 16]) {
                 facts.edges[0].steps(),
                 facts.edges[1].steps(),
                 facts.edges[2].steps(),
-                u32x16::splat(s, 0),
+                u32x16::splat(s, facts.plane),
                 u32x16::splat(s, 0),
             ]);
         },
@@ -410,7 +496,7 @@ fn large_records<S: Simd>(s: S, facts: &Facts<S>, out: &mut [[u32; 16]; 16]) {
                 rule.bitcast(),
                 facts.z[1].bitcast(),
                 facts.z[2].bitcast(),
-                u32x16::splat(s, 0),
+                u32x16::splat(s, facts.plane),
             ]);
         },
     );
@@ -504,9 +590,9 @@ impl<S: Simd> Edge<S> {
 /// Coverage of the 4 x 4 samples from (column0, row0) on: bit 4 j + i is sample (i, j).
 #[inline(always)]
 fn small_coverage<S: Simd>(s: S, facts: &Facts<S>) -> i32x16<S> {
-    let Facts { edges, column0, row0, .. } = facts;
-    let (columns, rows) = (facts.column1 - *column0, facts.row1 - *row0);
-    let (x, y) = ((*column0 << 8) + HALF_PIXEL, (*row0 << 8) + HALF_PIXEL);
+    let (edges, Pixels { column0, column1, row0, row1 }) = (&facts.edges, facts.pixels);
+    let (columns, rows) = (column1 - column0, row1 - row0);
+    let (x, y) = ((column0 << 8) + HALF_PIXEL, (row0 << 8) + HALF_PIXEL);
     let [mut e0, mut e1, mut e2] = [edges[0].at(x, y), edges[1].at(x, y), edges[2].at(x, y)];
     let mut outside = i32x16::splat(s, 0);
     let mut j = 0;

@@ -13,6 +13,7 @@ use super::bins::{Share, TileGrid};
 use super::corners::Corners;
 use super::diamond_exit::diamond_exit;
 use super::groups::{Groups, LinearDepth};
+use super::samples::{SampleSet, Samples};
 use super::setup::{PixelRect, SetupState, setup};
 use super::smooth::touched;
 use super::triangle_id::TriangleId;
@@ -33,6 +34,16 @@ pub(crate) enum StrokeShape {
     Smooth { width: f64 },
     /// Points.
     Point,
+}
+
+impl StrokeShape {
+    /// Where pixels have several samples, thin lines are rectangles, too (Vulkan 1.4, 28.8 "Line Segments").
+    pub(crate) fn with_samples(self, samples: Samples) -> Self {
+        match self {
+            Self::Thin if !samples.is_one() => Self::Wide { width: f64::from(SUBPIXELS) },
+            _ => self,
+        }
+    }
 }
 
 /// A line or a point on the raster.
@@ -70,6 +81,7 @@ pub(crate) struct StrokeState<'a> {
     pub(crate) level: Level,
     pub(crate) grid: TileGrid,
     pub(crate) rect: PixelRect,
+    pub(crate) samples: SampleSet,
     pub(crate) shape: StrokeShape,
     pub(crate) projection: &'a Projection,
 }
@@ -102,9 +114,7 @@ pub(crate) fn set_up_strokes(state: &StrokeState<'_>, strokes: &[Stroke], first_
                 StrokeShape::Thin => thin_line(state, stroke, id, share),
                 StrokeShape::Wide { width } => rectangles.set(k, stroke, corners_of_line(stroke, width)),
                 StrokeShape::Smooth { width } => smooth_line(state, stroke, width, id, share),
-                StrokeShape::Point if stroke.ends[1][0] - stroke.ends[0][0] <= SMALL_POINT => {
-                    small_point(state, stroke, id, share);
-                }
+                StrokeShape::Point if is_small(state, stroke) => small_point(state, stroke, id, share),
                 StrokeShape::Point => rectangles.set(k, stroke, corners_of_point(stroke)),
             }
         }
@@ -114,16 +124,21 @@ pub(crate) fn set_up_strokes(state: &StrokeState<'_>, strokes: &[Stroke], first_
 
 fn thin_line(state: &StrokeState<'_>, stroke: &Stroke, id: u32, share: &mut Share) {
     let ([a, b], [za, zb]) = (stroke.ends, stroke.z);
-    let mut groups = Groups::new(share, state.grid, id, LinearDepth::along(a, b, za, zb));
+    let mut groups = Groups::new(share, state.grid, state.samples, id, LinearDepth::along(a, b, za, zb));
     diamond_exit(a, b, &state.rect, |x, y| groups.cover(x, y));
     groups.finish();
 }
 
 fn smooth_line(state: &StrokeState<'_>, stroke: &Stroke, width: f64, id: u32, share: &mut Share) {
     let ([a, b], [za, zb]) = (stroke.ends, stroke.z);
-    let mut groups = Groups::new(share, state.grid, id, LinearDepth::along(a, b, za, zb));
+    let mut groups = Groups::new(share, state.grid, state.samples, id, LinearDepth::along(a, b, za, zb));
     touched(&corners_of_line(stroke, width), &state.rect, |x, y| groups.cover(x, y));
     groups.finish();
+}
+
+/// Whether a point is covered directly. Where pixels have several samples, none is.
+fn is_small(state: &StrokeState<'_>, stroke: &Stroke) -> bool {
+    state.samples.samples.is_one() && stroke.ends[1][0] - stroke.ends[0][0] <= SMALL_POINT
 }
 
 fn small_point(state: &StrokeState<'_>, stroke: &Stroke, id: u32, share: &mut Share) {
@@ -133,7 +148,7 @@ fn small_point(state: &StrokeState<'_>, stroke: &Stroke, id: u32, share: &mut Sh
     let rect = &state.rect;
     let (columns, rows) =
         (first(x0).max(rect.x0)..first(x1).min(rect.x1), first(y0).max(rect.y0)..first(y1).min(rect.y1));
-    let mut groups = Groups::new(share, state.grid, id, LinearDepth::constant(stroke.z[0]));
+    let mut groups = Groups::new(share, state.grid, state.samples, id, LinearDepth::constant(stroke.z[0]));
     for group_row in rows.start >> 3..=(rows.end - 1) >> 3 {
         for group_column in columns.start >> 3..=(columns.end - 1) >> 3 {
             for y in rows.start.max(group_row << 3)..rows.end.min((group_row + 1) << 3) {
@@ -153,6 +168,16 @@ pub(crate) fn corners_of_line(stroke: &Stroke, width: f64) -> [[i32; 2]; 4] {
     let scale = width * 0.5 / (dx * dx + dy * dy).sqrt();
     let (nx, ny) = ((-dy * scale).round_ties_even() as i32, (dx * scale).round_ties_even() as i32);
     [[a[0] + nx, a[1] + ny], [a[0] - nx, a[1] - ny], [b[0] - nx, b[1] - ny], [b[0] + nx, b[1] + ny]]
+}
+
+/// The two triangles that cover for a stroke where pixels have several samples; of a smooth line, which covers pixels as wholes, none.
+pub(crate) fn triangles_of(stroke: &Stroke, shape: StrokeShape) -> Option<[[[i32; 2]; 3]; 2]> {
+    let [p, q, r, s] = match shape {
+        StrokeShape::Thin | StrokeShape::Smooth { .. } => return None,
+        StrokeShape::Wide { width } => corners_of_line(stroke, width),
+        StrokeShape::Point => corners_of_point(stroke),
+    };
+    Some([[p, q, r], [p, r, s]])
 }
 
 fn corners_of_point(stroke: &Stroke) -> [[i32; 2]; 4] {
@@ -188,6 +213,7 @@ impl Rectangles {
         let setup_state = SetupState {
             grid: state.grid,
             rect: state.rect,
+            samples: state.samples,
             cull_clockwise: false,
             cull_counter_clockwise: false,
             bias: None,

@@ -19,8 +19,13 @@
 
 use crate::wide::{Simd, i32x16, mask32x16};
 
-/// Whether the edge with these differences, of a triangle in clockwise order on the picture, is a top or a left edge.
+/// Whether the edges with these differences, of triangles in clockwise order on the picture, are top or left edges.
 #[inline(always)]
 pub(crate) fn is_top_left<S: Simd>(dx: i32x16<S>, dy: i32x16<S>) -> mask32x16<S> {
     dy.simd_lt(0) | (dy.simd_eq(0) & dx.simd_gt(0))
+}
+
+/// The same of one edge.
+pub(crate) fn is_top_left_edge(dx: i32, dy: i32) -> bool {
+    dy < 0 || (dy == 0 && dx > 0)
 }

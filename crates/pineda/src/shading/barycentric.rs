@@ -16,6 +16,14 @@ pub(crate) struct Corner3<S: Simd> {
     pub(crate) d2: f32x16<S>,
 }
 
+impl<S: Simd> Corner3<S> {
+    /// The same in all lanes.
+    #[inline(always)]
+    pub(crate) fn splat(s: S, [f0, d1, d2]: [f32; 3]) -> Self {
+        Self { f0: f32x16::splat(s, f0), d1: f32x16::splat(s, d1), d2: f32x16::splat(s, d2) }
+    }
+}
+
 /// The weights of the second and third vertex, normalised, and their derivatives.
 #[derive(Clone, Copy)]
 struct Barycentric<S: Simd> {

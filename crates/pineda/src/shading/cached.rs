@@ -3,6 +3,7 @@
 //! A triangle of thirty pixels shows in about nine packets. What each of them needs of it is put together once: its vertices in canonical
 //! order, by how much the varyings differ, its edge functions.
 
+use super::packet::VaryingLayout;
 use super::run::{RECORD_HEADER, RunView, record_rows};
 use crate::geometry::raster_space::{HALF_PIXEL, SUBPIXELS};
 use crate::raster::triangle_id::{ORDER_BITS, TriangleId};
@@ -15,14 +16,14 @@ pub(crate) const TRIANGLE_HEADER: usize = 3;
 
 /// Rows of four words for each of some triangles of a run:
 ///
-/// - what the edge function of vertex 1 gains a pixel right and a pixel down, its value at the centre of pixel (0, 0), and the sum of all
+/// - what the edge function of vertex 1 gains a subpixel right and a subpixel down, its value at the centre of pixel (0, 0), and the sum of all
 ///   three edge functions, which is the same everywhere: twice the triangle's area;
 /// - the same of vertex 2;
 /// - 1 / w of the vertices;
-/// - of each varying, its value at vertex 0, and by how much those at vertex 1 and 2 exceed it.
+/// - of each varying, its value at vertex 0, and by how much those at vertex 1 and 2 exceed it;
+/// - the same of the depth, if it is interpolated.
 ///
-/// Edge functions wrap around in 32 bits. A triangle whose area makes that matter where it covers is not kept, nor one of 32,768 pixels or more
-/// from end to end.
+/// Edge functions wrap around in 32 bits. A triangle whose area makes that matter in a pixel that it touches is not kept.
 #[derive(Debug)]
 pub(crate) struct TriangleCache {
     /// The number of the run's first triangle in the batch, which tells runs apart.
@@ -31,11 +32,13 @@ pub(crate) struct TriangleCache {
     ids: [u32; SLOTS],
     rows: Vec<[u32; 4]>,
     each: usize,
+    varyings: usize,
+    depth: bool,
 }
 
 impl TriangleCache {
     pub(crate) fn new() -> Self {
-        Self { run: None, ids: [0; SLOTS], rows: Vec::new(), each: 0 }
+        Self { run: None, ids: [0; SLOTS], rows: Vec::new(), each: 0, varyings: 0, depth: false }
     }
 
     /// Another batch comes.
@@ -45,13 +48,14 @@ impl TriangleCache {
 
     /// From here on, triangles are of a run with so many varyings.
     #[inline(always)]
-    pub(crate) fn start(&mut self, run: &RunView<'_>, varyings: usize) {
+    pub(crate) fn start(&mut self, run: &RunView<'_>, layout: &VaryingLayout) {
         if self.run == Some(run.first_number) {
             return;
         }
         self.run = Some(run.first_number);
         self.ids = [0; SLOTS];
-        self.each = TRIANGLE_HEADER + varyings;
+        (self.varyings, self.depth) = (layout.interpolation.len(), layout.depth);
+        self.each = TRIANGLE_HEADER + self.varyings + usize::from(self.depth);
         if self.rows.len() < SLOTS * self.each {
             self.rows.resize(SLOTS * self.each, [0; 4]);
         }
@@ -83,8 +87,13 @@ impl TriangleCache {
     fn fill(&mut self, run: &RunView<'_>, id: u32) {
         let first = slot(id) * self.each;
         let (header, varyings) = self.rows[first..first + self.each].split_at_mut(TRIANGLE_HEADER);
-        let each = record_rows(varyings.len());
-        let [a, b, c] = run.canonical_places(TriangleId(id));
+        let (varyings, depth) = varyings.split_at_mut(self.varyings);
+        let each = record_rows(self.varyings);
+        let places @ [a, b, c] = run.canonical_places(TriangleId(id));
+        if let [row] = depth {
+            let [z0, d1, d2] = run.vertex_depths(places).map(f32::to_bits);
+            *row = [z0, d1, d2, 0];
+        }
         let record = |place: usize| run.records[place * each..(place + 1) * each].as_flattened();
         let (a, f0) = record(a).split_at(RECORD_HEADER);
         let (b, f1) = record(b).split_at(RECORD_HEADER);
@@ -92,9 +101,9 @@ impl TriangleCache {
         let (x, y) = ([a[0] as i32, b[0] as i32, c[0] as i32], [a[1] as i32, b[1] as i32, c[1] as i32]);
         let wide = |from: i32, to: i32| i64::from(to) - i64::from(from);
         let area = wide(x[0], x[1]) * wide(y[0], y[2]) - wide(x[0], x[2]) * wide(y[0], y[1]);
-        // What an edge function gains a pixel must fit by itself, for derivatives.
-        let is_long = |v: [i32; 3]| v[0].max(v[1]).max(v[2]) - v[0].min(v[1]).min(v[2]) >= 1 << 23;
-        let (Ok(area), false) = (i32::try_from(area), is_long(x) || is_long(y)) else {
+        let span = |v: [i32; 3]| i64::from(v[0].max(v[1]).max(v[2]) - v[0].min(v[1]).min(v[2]));
+        let beyond = (span(x) + span(y)) * i64::from(SUBPIXELS);
+        let Some(area) = i32::try_from(area + beyond).ok().and(i32::try_from(area).ok()) else {
             self.ids[slot(id)] = !id;
             return;
         };
@@ -109,10 +118,10 @@ impl TriangleCache {
     }
 }
 
-/// Of the edge from p to q, in subpixels: what its edge function gains a pixel right, a pixel down, its value at the centre of pixel (0, 0);
+/// Of the edge from p to q, in subpixels: what its edge function gains a subpixel right, a subpixel down, its value at the centre of pixel (0, 0);
 /// and the sum.
 fn edge(p: [i32; 2], q: [i32; 2], sum: i32) -> [u32; 4] {
-    let (right, down) = ((p[1] - q[1]).wrapping_mul(SUBPIXELS), (q[0] - p[0]).wrapping_mul(SUBPIXELS));
+    let (right, down) = (p[1] - q[1], q[0] - p[0]);
     let (px, py, qx, qy) = (p[0] - HALF_PIXEL, p[1] - HALF_PIXEL, q[0] - HALF_PIXEL, q[1] - HALF_PIXEL);
     let first = px.wrapping_mul(qy).wrapping_sub(qx.wrapping_mul(py));
     [right as u32, down as u32, first as u32, sum as u32]

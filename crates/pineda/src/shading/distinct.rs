@@ -3,6 +3,7 @@
 use super::cached::TriangleCache;
 use super::packet::{BATCH, VaryingLayout};
 use super::run::RunView;
+use crate::raster::samples::Samples;
 use crate::raster::triangle_id::{CLIPPED_CLOCKWISE, ORDER_BITS, TriangleId};
 use crate::wide::{Simd, i32x16, mask32x16, u32x16};
 
@@ -16,6 +17,11 @@ pub(crate) struct Fragments<'a> {
     /// The block's first pixel.
     pub(crate) x: i32,
     pub(crate) y: i32,
+    /// How far the lanes lie off their pixels' centres, in subpixels, if they do.
+    pub(crate) moved: Option<&'a [[i32; 16]; 2]>,
+    /// Lanes that are shaded at the lowest sample that their triangle covers, if it does not cover the pixel's centre.
+    pub(crate) border: u32,
+    pub(crate) samples: Samples,
 }
 
 /// The different triangles of a packet, and the way in which it is interpolated.

@@ -2,10 +2,12 @@
 
 use super::barycentric::{Both, Corner3};
 use super::cached::{TRIANGLE_HEADER, TriangleCache};
+use super::centroid::centroid_offsets;
 use super::distinct::{Distinct, Fragments};
 use super::packet::{BATCH, PacketBatch, PacketRows, VaryingLayout};
 use super::weights::Weights;
-use crate::tile::view::BlockLanes;
+use crate::geometry::raster_space::SUBPIXELS;
+use crate::tile::view::{BlockLanes, Positions};
 use crate::wide::{Simd, i32x16, mask32x16, u32x4, u32x16};
 
 /// Packets of up to `N` triangles, all of them in the cache; with derivatives if `FULL`.
@@ -25,16 +27,8 @@ pub(crate) fn few<S: Simd, const N: usize, const FULL: bool>(
             let mut i = 0;
             while i < list.len() {
                 let k = list[i] as usize;
-                let (packet, mut rows) = batch.packet(k);
-                from_cache::<S, N, FULL>(
-                    s,
-                    layout,
-                    &packet.fragments(),
-                    &distinct[k & (BATCH - 1)],
-                    &lanes,
-                    cache,
-                    &mut rows,
-                );
+                let (fragments, mut rows) = batch.packet(k);
+                from_cache::<S, N, FULL>(s, layout, &fragments, &distinct[k & (BATCH - 1)], &lanes, cache, &mut rows);
                 i += 1;
             }
         },
@@ -59,20 +53,28 @@ fn from_cache<S: Simd, const N: usize, const FULL: bool>(
         t += 1;
     }
     let pick = Pick::<S, N>::new(s, distinct);
-    let x = lanes.column + fragments.x;
-    let y = lanes.row + fragments.y;
+    let at = Positions::new(s, lanes, fragments.moved);
+    let (x, y) = (at.x + fragments.x * SUBPIXELS, at.y + fragments.y * SUBPIXELS);
     let one = pick.row(s, &triangles, 0).map(u32x16::bitcast::<i32x16<S>>);
     let two = pick.row(s, &triangles, 1).map(u32x16::bitcast::<i32x16<S>>);
-    let e1 = (x * one[0] + y * one[1]) + one[2];
-    let e2 = (x * two[0] + y * two[1]) + two[2];
+    let mut e1 = (x * one[0] + y * one[1]) + one[2];
+    let mut e2 = (x * two[0] + y * two[1]) + two[2];
+    if fragments.border != 0 {
+        let zero = [one[3] - e1 - e2, -(one[0] + two[0]), -(one[1] + two[1])];
+        let edges = [zero, [e1, one[0], one[1]], [e2, two[0], two[1]]];
+        let [ox, oy] = centroid_offsets(s, edges, fragments.border, fragments.samples);
+        e1 = e1 + one[0] * ox + one[1] * oy;
+        e2 = e2 + two[0] * ox + two[1] * oy;
+    }
     let e0 = one[3] - e1 - e2;
     let [w0, w1, w2, _] = pick.row(s, &triangles, 2);
     let edges = [e0.to_float(), e1.to_float(), e2.to_float()];
     let (mut right, mut down) = (edges, edges);
     if FULL {
-        // All three edge functions together do not change.
-        right = [(-one[0] - two[0]).to_float(), one[0].to_float(), two[0].to_float()];
-        down = [(-one[1] - two[1]).to_float(), one[1].to_float(), two[1].to_float()];
+        // A pixel's: times 256 is exact. All three edge functions together do not change.
+        let pixel = SUBPIXELS as f32;
+        right = [(-one[0] - two[0]).to_float() * pixel, one[0].to_float() * pixel, two[0].to_float() * pixel];
+        down = [(-one[1] - two[1]).to_float() * pixel, one[1].to_float() * pixel, two[1].to_float() * pixel];
     }
     let weights = Weights::from_edges::<FULL>(edges, right, down, [w0.bitcast(), w1.bitcast(), w2.bitcast()]);
     let both = Both::new::<FULL>(s, &weights, layout);
@@ -81,6 +83,10 @@ fn from_cache<S: Simd, const N: usize, const FULL: bool>(
         let [f0, d1, d2, _] = pick.row(s, &triangles, TRIANGLE_HEADER + k);
         both.set::<FULL>(layout, rows, k, Corner3 { f0: f0.bitcast(), d1: d1.bitcast(), d2: d2.bitcast() });
         k += 1;
+    }
+    if layout.depth {
+        let [z0, d1, d2, _] = pick.row(s, &triangles, TRIANGLE_HEADER + layout.interpolation.len());
+        *rows.z = weights.depth(s, Corner3 { f0: z0.bitcast(), d1: d1.bitcast(), d2: d2.bitcast() }).into();
     }
 }
 

@@ -11,7 +11,7 @@ pub type Fragment<L, Sh> = Frag<L, <Sh as Shader>::Varyings<L>, Sh>;
 
 /// Up to sixteen fragments that are shaded together, one per lane.
 ///
-/// It derefs to the varyings, interpolated at each pixel's centre: `f.normal`, `f.uv`. Where the varyings are a single
+/// It derefs to the varyings, interpolated at each pixel's centre (of multisampled pixels see [`Sampling`](crate::Sampling)): `f.normal`, `f.uv`. Where the varyings are a single
 /// number or vector, [`f.varyings()`](Self::varyings) is it.
 ///
 /// `V` is the varyings' type, `K` says what the stage may do: [`Fragment<L, Sh>`](Fragment) is the name to write.
@@ -76,19 +76,20 @@ impl<L: Lanes, V: Copy, K> Frag<L, V, K> {
         self.parts.varyings
     }
 
-    /// The pixel's centre, in pixels from the target's left border: 0.5, 1.5, 2.5, ...
+    /// The pixel's centre, in pixels from the target's left border: 0.5, 1.5, 2.5, ...; the sample's place, of a draw that is shaded [by sample](crate::Sampling::Sample).
     #[inline(always)]
     pub fn x(&self) -> Real<L> {
         self.parts.x
     }
 
-    /// The pixel's centre, in pixels from the target's top border: 0.5, 1.5, 2.5, ...
+    /// The same from the target's top border.
     #[inline(always)]
     pub fn y(&self) -> Real<L> {
         self.parts.y
     }
 
-    /// The fragment's depth, 0 (near) to 1 (far): what the depth test compares.
+    /// The fragment's depth, 0 (near) to 1 (far): what the depth test compares. If it stands for several samples of a pixel, which are tested with depths of their own, it is
+    /// that of the place where it is shaded, before depth bias.
     #[inline(always)]
     pub fn z(&self) -> Real<L> {
         self.parts.z

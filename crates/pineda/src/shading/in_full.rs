@@ -7,7 +7,7 @@ use super::packet::{BATCH, PacketBatch, PacketRows, VaryingLayout};
 use super::run::{RunView, record_rows};
 use super::weights::{Weights, of_clipped, of_triangle};
 use crate::raster::triangle_id::TriangleId;
-use crate::tile::view::BlockLanes;
+use crate::tile::view::{BlockLanes, Positions};
 use crate::wide::{Simd, f32x16, mask32x16};
 
 /// Interpolates the packets that the list names.
@@ -28,17 +28,8 @@ pub(crate) fn in_full<S: Simd>(
             let mut i = 0;
             while i < list.len() {
                 let k = list[i] as usize;
-                let (packet, mut rows) = batch.packet(k);
-                one_in_full(
-                    s,
-                    run,
-                    position,
-                    layout,
-                    &packet.fragments(),
-                    &distinct[k & (BATCH - 1)],
-                    &lanes,
-                    &mut rows,
-                );
+                let (fragments, mut rows) = batch.packet(k);
+                one_in_full(s, run, position, layout, &fragments, &distinct[k & (BATCH - 1)], &lanes, &mut rows);
                 i += 1;
             }
         },
@@ -62,22 +53,24 @@ fn one_in_full<S: Simd>(
     let mut masks = [mask32x16::splat(s, true); 16];
     let count = distinct.count();
     let mut weights;
-    (weights, places[0]) = triangle(s, run, position, fragments, TriangleId(distinct.ids[0]), each, lanes);
+    let mut depth;
+    (weights, places[0], depth) =
+        triangle(s, run, position, layout, fragments, TriangleId(distinct.ids[0]), each, lanes);
     let mut t = 1;
     while t < count {
         let id = TriangleId(distinct.ids[t & 15]);
-        let (next, next_places) = triangle(s, run, position, fragments, id, each, lanes);
+        let (next, next_places, next_depth) = triangle(s, run, position, layout, fragments, id, each, lanes);
         places[t & 15] = next_places;
         masks[t & 15] = mask32x16::from_bitmask(s, u64::from(distinct.masks[t & 15]));
         weights.select(masks[t & 15], &next);
+        depth = masks[t & 15].select(next_depth, depth);
         t += 1;
     }
     let both = Both::new::<true>(s, &weights, layout);
     let mut k = 0;
     while k < layout.interpolation.len() {
         let is_flat = layout.interpolation[k] == Interpolation::Flat;
-        let [f0, d1, d2] = run.vertex_values(each, &places[0], k, is_flat);
-        let mut corner = Corner3 { f0: f32x16::splat(s, f0), d1: f32x16::splat(s, d1), d2: f32x16::splat(s, d2) };
+        let mut corner = Corner3::splat(s, run.vertex_values(each, &places[0], k, is_flat));
         let mut t = 1;
         while t < count {
             let mask = masks[t & 15];
@@ -90,26 +83,37 @@ fn one_in_full<S: Simd>(
         both.set::<true>(layout, rows, k, corner);
         k += 1;
     }
+    if layout.depth {
+        *rows.z = depth.into();
+    }
 }
 
-/// The weights of one triangle, the places of its vertices in their order, and the provoking vertex's.
+/// The weights of one triangle, the places of its vertices in their order and the provoking vertex's, and depths if they are asked for.
 #[inline(always)]
+#[expect(clippy::too_many_arguments, reason = "inlined")]
 fn triangle<S: Simd>(
     s: S,
     run: &RunView<'_>,
     position: &dyn Fn(usize) -> [f32; 4],
+    layout: &VaryingLayout,
     fragments: &Fragments<'_>,
     id: TriangleId,
     each: usize,
     lanes: &BlockLanes<S>,
-) -> (Weights<S>, [usize; 4]) {
-    let (weights, places) = if id.is_clipped() {
-        let (weights, order) = of_clipped(s, run, position, id, fragments.x, fragments.y);
+) -> (Weights<S>, [usize; 4], f32x16<S>) {
+    let at = Positions::new(s, lanes, fragments.moved);
+    let (weights, places, depth) = if id.is_clipped() {
+        let (weights, order, depth) = of_clipped(s, run, position, id, fragments.x, fragments.y, at);
         let submitted = run.places(id);
-        (weights, [submitted[order[0]], submitted[order[1]], submitted[order[2]]])
+        (weights, [submitted[order[0]], submitted[order[1]], submitted[order[2]]], depth)
     } else {
         let places = run.canonical_places(id);
-        (of_triangle(s, run, each, places, fragments.x, fragments.y, lanes), places)
+        let weights = of_triangle(s, run, each, places, fragments.x, fragments.y, at);
+        let mut depth = f32x16::splat(s, 0.0);
+        if layout.depth {
+            depth = weights.depth(s, Corner3::splat(s, run.vertex_depths(places)));
+        }
+        (weights, places, depth)
     };
-    (weights, [places[0], places[1], places[2], run.places(id)[0]])
+    (weights, [places[0], places[1], places[2], run.places(id)[0]], depth)
 }

@@ -53,7 +53,13 @@ pub(crate) fn interpolate<S: Simd, const SINGLE: bool>(
     let mut ways = Ways::default();
     let mut k = 0;
     while k < batch.len() {
-        ways.add(distinct[k & (BATCH - 1)].way_with(cache), k);
+        let distinct = &mut distinct[k & (BATCH - 1)];
+        let mut way = distinct.way_with(cache);
+        if way == Way::Large && batch.is_moved(k) {
+            // What is kept of the last triangle is of pixels' centres.
+            (way, distinct.lanes) = (Way::ByLane, [distinct.ids[0]; 16]);
+        }
+        ways.add(way, k);
         k += 1;
     }
     if layout.derivatives {

@@ -8,7 +8,7 @@ use super::run::{RunView, record_rows};
 use super::weights::Prepared;
 use crate::raster::triangle_id::TriangleId;
 use crate::tile::view::BlockLanes;
-use crate::wide::{Simd, f32x16};
+use crate::wide::Simd;
 
 /// The triangle that the last packet showed alone, if it did: its neighbour often shows it, too.
 pub(crate) struct Last<S: Simd> {
@@ -16,12 +16,13 @@ pub(crate) struct Last<S: Simd> {
     prepared: Prepared<S>,
     /// Each varying at the first vertex, and by how much the others exceed it.
     corners: [[f32; 3]; MAX_VARYINGS],
+    depths: [f32; 3],
 }
 
 impl<S: Simd> Last<S> {
     #[inline(always)]
     pub(crate) fn none(s: S) -> Self {
-        Self { id: TriangleId(0), prepared: Prepared::none(s), corners: [[0.0; 3]; MAX_VARYINGS] }
+        Self { id: TriangleId(0), prepared: Prepared::none(s), corners: [[0.0; 3]; MAX_VARYINGS], depths: [0.0; 3] }
     }
 }
 
@@ -40,17 +41,9 @@ pub(crate) fn large<S: Simd, const FULL: bool>(
     let mut i = 0;
     while i < list.len() {
         let k = list[i] as usize;
-        let (packet, mut rows) = batch.packet(k);
-        one::<S, FULL>(
-            s,
-            run,
-            layout,
-            &packet.fragments(),
-            TriangleId(distinct[k & (BATCH - 1)].ids[0]),
-            &lanes,
-            last,
-            &mut rows,
-        );
+        let (fragments, mut rows) = batch.packet(k);
+        let id = TriangleId(distinct[k & (BATCH - 1)].ids[0]);
+        one::<S, FULL>(s, run, layout, &fragments, id, &lanes, last, &mut rows);
         i += 1;
     }
 }
@@ -79,13 +72,18 @@ fn one<S: Simd, const FULL: bool>(
             last.corners[k] = run.vertex_values(each, &places, k, false);
             k += 1;
         }
+        if layout.depth {
+            last.depths = run.vertex_depths([a, b, c]);
+        }
     }
-    let both = Both::new::<FULL>(s, &last.prepared.weights::<FULL>(s, fragments.x, fragments.y), layout);
+    let weights = last.prepared.weights::<FULL>(s, fragments.x, fragments.y);
+    let both = Both::new::<FULL>(s, &weights, layout);
     let mut k = 0;
     while k < varyings {
-        let [f0, d1, d2] = last.corners[k];
-        let corner = Corner3 { f0: f32x16::splat(s, f0), d1: f32x16::splat(s, d1), d2: f32x16::splat(s, d2) };
-        both.set::<FULL>(layout, rows, k, corner);
+        both.set::<FULL>(layout, rows, k, Corner3::splat(s, last.corners[k]));
         k += 1;
+    }
+    if layout.depth {
+        *rows.z = weights.depth(s, Corner3::splat(s, last.depths)).into();
     }
 }

@@ -4,8 +4,10 @@
 
 use super::distinct::Fragments;
 use super::{__Row4 as Row4, Frag, FragParts, FragmentStage, Interpolation, OutputLayout, Outputs, Varyings};
+use crate::geometry::raster_space::{HALF_PIXEL, SUBPIXELS};
 use crate::lanes::Packet;
 use crate::math::{Bool, Real, Vec2};
+use crate::raster::samples::Samples;
 use crate::raster::triangle_id::{CLIPPED_CLOCKWISE, ORDER_BITS};
 use crate::tile::view::BlockLanes;
 use crate::wide::{Simd, f32x16, i32x16, mask32x16, u32x16};
@@ -21,6 +23,8 @@ pub(crate) struct VaryingLayout {
     pub(crate) derivatives: bool,
     /// Whether the last two numbers are a point's coordinates.
     pub(crate) point_coord: bool,
+    /// Whether the depth is interpolated, too.
+    pub(crate) depth: bool,
     /// Whether everything is interpolated with perspective.
     pub(crate) is_plain: bool,
 }
@@ -28,7 +32,7 @@ pub(crate) struct VaryingLayout {
 impl VaryingLayout {
     pub(crate) fn new(interpolation: &'static [Interpolation], derivatives: bool) -> Self {
         let is_plain = interpolation.iter().all(|&i| i == Interpolation::Perspective);
-        Self { interpolation, derivatives, point_coord: false, is_plain }
+        Self { interpolation, derivatives, point_coord: false, depth: false, is_plain }
     }
 
     /// Rows of a packet: the varyings and, if asked for, their derivatives along x and y.
@@ -42,6 +46,19 @@ pub(crate) struct PacketRows<'a> {
     pub(crate) here: &'a mut [[f32; 16]],
     pub(crate) dx: &'a mut [[f32; 16]],
     pub(crate) dy: &'a mut [[f32; 16]],
+    pub(crate) z: &'a mut [f32; 16],
+}
+
+/// Whether a packet's fragments are shaded elsewhere than at their pixels' centres.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Moved {
+    No,
+    /// Some lanes are, each to a place of its own that its triangle covers; the fragments are the pixels' still.
+    ByLane,
+    /// All are, to one sample, whose fragments they are.
+    ToSample,
+    /// The lanes are of any pixels of a tile.
+    Gathered,
 }
 
 /// What a fragment stage gets beside the varyings, and what it leaves.
@@ -65,7 +82,8 @@ impl PacketState {
     /// What is to be shaded.
     #[inline(always)]
     pub(crate) fn fragments(&self) -> Fragments<'_> {
-        Fragments { ids: &self.ids, mask: self.alive, x: self.x, y: self.y }
+        let (ids, mask) = (&self.ids, self.alive);
+        Fragments { ids, mask, x: self.x, y: self.y, moved: None, border: 0, samples: Samples::One }
     }
 }
 
@@ -74,13 +92,23 @@ impl PacketState {
 pub(crate) struct PacketBatch {
     packets: [PacketState; BATCH],
     count: usize,
-    rows: Vec<[f32; 16]>,
+    /// From `aligned` on, so that no row lies in two cache lines.
+    rows: Vec<f32>,
+    aligned: usize,
     rows_each: usize,
     /// What the packets' fragments have beside a colour: for further colour buffers, or to be blended with.
     more: Vec<Row4>,
     more_each: usize,
     derivatives: bool,
     front_is_clockwise: bool,
+    /// How far the lanes of each packet are moved off their pixels' centres, in subpixels.
+    moved: [Moved; BATCH],
+    offsets: [[[i32; 16]; 2]; BATCH],
+    /// Those that may have to be.
+    borders: [u32; BATCH],
+    samples: Samples,
+    /// Interpolated depths.
+    z: [[f32; 16]; BATCH],
 }
 
 impl PacketBatch {
@@ -89,23 +117,29 @@ impl PacketBatch {
             packets: [PacketState::default(); BATCH],
             count: 0,
             rows: Vec::new(),
+            aligned: 0,
             rows_each: 0,
             more: Vec::new(),
             more_each: 0,
             derivatives: false,
             front_is_clockwise: false,
+            moved: [Moved::No; BATCH],
+            offsets: [[[0; 16]; 2]; BATCH],
+            borders: [0; BATCH],
+            samples: Samples::One,
+            z: [[0.0; 16]; BATCH],
         }
     }
 
     /// Empties the batch for packets of this layout.
     pub(crate) fn start(&mut self, layout: &VaryingLayout, front_is_clockwise: bool) {
         self.count = 0;
+        (self.moved, self.borders) = ([Moved::No; BATCH], [0; BATCH]);
         self.rows_each = layout.rows();
         self.derivatives = layout.derivatives;
         self.front_is_clockwise = front_is_clockwise;
-        let rows = BATCH * self.rows_each;
-        if self.rows.len() < rows {
-            self.rows.resize(rows, [0.0; 16]);
+        if self.rows.len() < 16 * (BATCH * self.rows_each + 1) {
+            self.reserve_rows();
         }
     }
 
@@ -127,20 +161,91 @@ impl PacketBatch {
         packet
     }
 
-    /// Packet `k` and its rows.
+    /// Moves the lanes of the last packet off their pixels' centres.
+    pub(crate) fn shift(&mut self, moved: Moved, offsets: [[i32; 16]; 2]) {
+        let last = self.count.wrapping_sub(1) & (BATCH - 1);
+        (self.moved[last], self.offsets[last]) = (moved, offsets);
+    }
+
+    /// Leaves it to interpolation to move lanes of the last packet, which is of triangles on the raster.
+    pub(crate) fn find_centroids(&mut self, border: u32, samples: Samples) {
+        self.borders[self.count.wrapping_sub(1) & (BATCH - 1)] = border;
+        self.samples = samples;
+    }
+
+    /// Whether a packet is moved, or may have to be.
     #[inline(always)]
-    pub(crate) fn packet(&mut self, k: usize) -> (&PacketState, PacketRows<'_>) {
-        let rows = &mut self.rows[k * self.rows_each..(k + 1) * self.rows_each];
-        let each = if self.derivatives { rows.len() / 3 } else { rows.len() };
+    pub(crate) fn is_moved(&self, k: usize) -> bool {
+        self.moved[k & (BATCH - 1)] != Moved::No || self.borders[k & (BATCH - 1)] != 0
+    }
+
+    /// Replaces the interpolated depths: by what a function makes of a triangle's id and a place on the raster, in subpixels.
+    pub(crate) fn set_depths(&mut self, depth: impl Fn(u32, [i32; 2]) -> f32) {
+        for (k, packet) in self.packets.iter().enumerate().take(self.count) {
+            let mut rest = packet.alive & 0xffff;
+            while rest != 0 {
+                let lane = rest.trailing_zeros() as usize & 15;
+                rest &= rest - 1;
+                let [dx, dy] = if self.moved[k] == Moved::No { [0; 2] } else { self.offsets[k].map(|row| row[lane]) };
+                let (x, y) = (packet.x + (lane & 3) as i32, packet.y + (lane >> 2) as i32);
+                let center = |v: i32| v * SUBPIXELS + HALF_PIXEL;
+                self.z[k][lane] = depth(packet.ids[lane], [center(x) + dx, center(y) + dy]);
+            }
+        }
+    }
+
+    /// Takes the interpolated depths for the fragments', clamped.
+    #[inline(always)]
+    pub(crate) fn take_depths<S: Simd>(&mut self, s: S, low: f32, high: f32) {
+        let (low, high) = (f32x16::splat(s, low), f32x16::splat(s, high));
+        let mut k = 0;
+        while k < self.count {
+            let z = f32x16::simd_from(s, self.z[k & (BATCH - 1)]);
+            let z = z.simd_gt(low).select(z, low);
+            self.packets[k].depth = z.simd_lt(high).select(z, high).bitcast::<i32x16<S>>().into();
+            k += 1;
+        }
+    }
+
+    /// Gives every packet, those that are yet to be added too, the same ids, until another is given.
+    pub(crate) fn set_all_ids(&mut self, id: u32) {
+        for packet in &mut self.packets {
+            packet.ids = [id; 16];
+        }
+    }
+
+    /// The same for a row.
+    pub(crate) fn set_all_rows(&mut self, k: usize, row: [f32; 16]) {
+        for packet in 0..BATCH {
+            self.packet(packet).1.here[k] = row;
+        }
+    }
+
+    /// The fragments of packet `k`, and its rows.
+    #[inline(always)]
+    pub(crate) fn packet(&mut self, k: usize) -> (Fragments<'_>, PacketRows<'_>) {
+        let derivatives = self.derivatives;
+        let first = self.aligned + 16 * k * self.rows_each;
+        let rows = self.rows[first..first + 16 * self.rows_each].as_chunks_mut().0;
+        let each = if derivatives { rows.len() / 3 } else { rows.len() };
         let (here, rest) = rows.split_at_mut(each);
-        let (dx, dy) = rest.split_at_mut(if self.derivatives { each } else { 0 });
-        (&self.packets[k], PacketRows { here, dx, dy })
+        let (dx, dy) = rest.split_at_mut(if derivatives { each } else { 0 });
+        let moved = if self.moved[k & (BATCH - 1)] == Moved::No { None } else { Some(&self.offsets[k & (BATCH - 1)]) };
+        let (border, samples) = (self.borders[k & (BATCH - 1)], self.samples);
+        let fragments = Fragments { moved, border, samples, ..self.packets[k].fragments() };
+        (fragments, PacketRows { here, dx, dy, z: &mut self.z[k & (BATCH - 1)] })
     }
 
     /// What the fragments of packet `k` have beside a colour.
     #[inline(always)]
     pub(crate) fn more(&self, k: usize) -> &[Row4] {
         &self.more[k * self.more_each..(k + 1) * self.more_each]
+    }
+
+    #[inline(never)]
+    fn reserve_rows(&mut self) {
+        self.rows.resize(16 * (BATCH * self.rows_each + 1), 0.0);
+        self.aligned = self.rows.as_ptr().align_offset(64).min(15);
     }
 
     /// Makes room for what comes beside the first colour.
@@ -168,7 +273,7 @@ impl PacketBatch {
         let length = if St::POINT_COORD { own + 2 * 16 } else { own };
         let zero = Real(f32x16::splat(s, 0.0));
         let none = Bool(mask32x16::splat(s, false));
-        let first = St::V::read(Packet(s), self.rows.as_flattened());
+        let first = St::V::read(Packet(s), &self.rows);
         // One for all packets: the compiler would copy each new one several times over.
         let mut fragment = Frag {
             parts: FragParts {
@@ -187,7 +292,8 @@ impl PacketBatch {
         let mut k = 0;
         while k < self.count {
             let packet = &mut self.packets[k];
-            let rows = self.rows[k * self.rows_each..(k + 1) * self.rows_each].as_flattened();
+            let at = self.aligned + 16 * k * self.rows_each;
+            let rows = &self.rows[at..at + 16 * self.rows_each];
             let parts = &mut fragment.parts;
             parts.varyings = St::V::read(Packet(s), rows);
             if St::DERIVATIVES {
@@ -202,6 +308,12 @@ impl PacketBatch {
             let clockwise = code.simd_lt(3) | code.simd_eq(CLIPPED_CLOCKWISE as i32);
             parts.x = Real(lanes.x + (packet.x as f32 + 0.5));
             parts.y = Real(lanes.y + (packet.y as f32 + 0.5));
+            if matches!(self.moved[k & (BATCH - 1)], Moved::ToSample | Moved::Gathered) {
+                let [x, y] = self.offsets[k & (BATCH - 1)];
+                let (x, y) = (i32x16::simd_from(s, x).to_float(), i32x16::simd_from(s, y).to_float());
+                parts.x = Real(parts.x.0 + x * (1.0 / SUBPIXELS as f32));
+                parts.y = Real(parts.y.0 + y * (1.0 / SUBPIXELS as f32));
+            }
             parts.z = Real(i32x16::simd_from(s, packet.depth).bitcast());
             parts.front_facing = Bool(if self.front_is_clockwise { clockwise } else { !clockwise });
             parts.alive = Bool(mask32x16::from_bitmask(s, u64::from(packet.alive)));

@@ -2,6 +2,7 @@
 
 use super::strokes::StrokeView;
 use crate::geometry::project::Projection;
+use crate::geometry::raster_space::ScreenVertex;
 use crate::pass::ProvokingVertex;
 use crate::raster::corners::Corners;
 use crate::raster::triangle_id::{ORDERS, TriangleId};
@@ -58,6 +59,8 @@ pub(crate) struct RunView<'a> {
     pub(crate) first_number: usize,
     /// [`record_rows`] for each vertex.
     pub(crate) records: &'a [[u32; 4]],
+    /// The vertices on the raster; none of strokes.
+    pub(crate) screen: &'a [ScreenVertex],
     pub(crate) projection: &'a Projection,
     pub(crate) front_is_clockwise: bool,
     pub(crate) provoking: ProvokingVertex,
@@ -96,6 +99,16 @@ impl RunView<'_> {
         }
         let f0 = self.word(each, places[0], k);
         [f0, self.word(each, places[1], k) - f0, self.word(each, places[2], k) - f0]
+    }
+
+    /// The depth at the first of three vertices on the raster, and by how much the others exceed it; 0 of strokes.
+    #[inline(always)]
+    pub(crate) fn vertex_depths(&self, places: [usize; 3]) -> [f32; 3] {
+        if self.screen.is_empty() {
+            return [0.0; 3];
+        }
+        let [a, b, c] = [self.screen[places[0]].z(), self.screen[places[1]].z(), self.screen[places[2]].z()];
+        [a, b - a, c - a]
     }
 
     #[inline(always)]

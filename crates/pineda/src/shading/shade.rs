@@ -5,8 +5,10 @@ use super::cached::TriangleCache;
 use super::distinct::Distinct;
 use super::interpolate::interpolate;
 use super::large::Last;
+use super::over::{is_over, merge_over};
 use super::packet::{BATCH, PacketBatch};
 use super::run::RunView;
+use super::single::{Single, begins_with_many, fill};
 use super::stencil::Tests;
 use super::{__Row4 as Row4, OutputKind};
 use crate::pass::draw_call::DrawCall;
@@ -52,6 +54,7 @@ pub(crate) struct Shading<'a> {
     pub(crate) more_colors: &'a mut [TileColor],
     pub(crate) batch: &'a mut PacketBatch,
     pub(crate) cache: &'a mut TriangleCache,
+    pub(crate) single: &'a mut Single,
     /// Where fragments and samples of ordered draws are counted, if they are.
     pub(crate) counted: Option<&'a mut DrawStatistics>,
 }
@@ -59,16 +62,23 @@ pub(crate) struct Shading<'a> {
 impl Shading<'_> {
     /// How many colours beyond the first go to a buffer. A second source does not.
     #[inline(always)]
-    fn further(&self) -> usize {
+    pub(super) fn further(&self) -> usize {
         self.call.outputs().kinds.len().saturating_sub(1).min(self.more_colors.len())
     }
 
     /// Counts the lanes of a block.
     #[inline(always)]
     fn count(&mut self, block: usize, fragments: u32, samples: u32) {
+        self.count_of(block, fragments.count_ones(), samples.count_ones());
+    }
+
+    /// Counts fragments that are shaded and samples that pass in a block.
+    #[inline(always)]
+    pub(super) fn count_of(&mut self, block: usize, fragments: u32, samples: u32) {
         if let Some(counted) = self.counted.as_deref_mut().filter(|_| !self.view.is_border(block)) {
-            counted.fragments_shaded += u64::from(fragments.count_ones());
-            counted.samples_passed += u64::from(samples.count_ones());
+            counted.fragments_shaded += u64::from(fragments);
+            counted.samples_passed += u64::from(samples);
+            counted.samples_written += u64::from(samples);
         }
     }
 }
@@ -79,7 +89,7 @@ pub(crate) fn shade_visible<S: Simd>(s: S, shading: &mut Shading<'_>, packets: &
     let layout = shading.call.layout();
     let position = |vertex: usize| shading.call.position(vertex);
     let (mut last, mut distinct) = (Last::none(s), [Distinct::NONE; BATCH]);
-    shading.cache.start(shading.run, layout.interpolation.len());
+    shading.cache.start(shading.run, &layout);
     let further = shading.further();
     let mut first = 0;
     while first < packets.len() {
@@ -129,15 +139,29 @@ pub(crate) fn shade_in_order<S: Simd>(s: S, shading: &mut Shading<'_>, packets: 
     let layout = shading.call.layout();
     let position = |vertex: usize| shading.call.position(vertex);
     let (mut last, mut distinct) = (Last::none(s), [Distinct::NONE; BATCH]);
-    shading.cache.start(shading.run, layout.interpolation.len());
+    shading.cache.start(shading.run, &layout);
     let call = shading.call;
     let (state, discards) = (call.state(), call.discards());
     let tests = Tests { state, front_is_clockwise: shading.run.front_is_clockwise };
     let has_color = shading.color.format != ColorFormat::None || !shading.more_colors.is_empty();
     let is_shaded = discards || (has_color && !state.writes_no_color(call.outputs().kinds.len()));
+    let is_usual = is_shaded && !discards && state.stencil.is_none() && shading.counted.is_none();
+    let takes_singles = is_usual && layout.is_plain && !layout.derivatives && shading.run.strokes.is_none();
+    let is_over = is_usual
+        && shading.run.strokes.is_none()
+        && shading.further() == 0
+        && is_over(&state.color(0), shading.color.format);
     let mut first = 0;
     while first < packets.len() {
         shading.batch.start(&layout, shading.run.front_is_clockwise);
+        let rest = &packets[first..];
+        if takes_singles && (shading.single.is_of(&rest[0]) || begins_with_many(rest)) {
+            first += fill(s, shading, &layout, rest);
+            shading.call.run_fragments(shading.level, shading.batch);
+            merge(s, shading, is_over);
+            continue;
+        }
+        shading.single.forget();
         // A bit for the blocks of the batch, by their numbers' last six bits.
         let mut blocks = 0u64;
         let mut next = first;
@@ -185,13 +209,13 @@ pub(crate) fn shade_in_order<S: Simd>(s: S, shading: &mut Shading<'_>, packets: 
             shading.cache,
         );
         shading.call.run_fragments(shading.level, shading.batch);
-        merge(s, shading);
+        merge(s, shading, is_over);
         first = next;
     }
 }
 
 #[inline(always)]
-fn contains(batch: &PacketBatch, block: u32) -> bool {
+pub(super) fn contains(batch: &PacketBatch, block: u32) -> bool {
     let mut found = false;
     let mut k = 0;
     while k < batch.len() {
@@ -201,9 +225,12 @@ fn contains(batch: &PacketBatch, block: u32) -> bool {
     found
 }
 
-/// Brings the colours of a batch of ordered packets into the tile.
+/// Brings the colours of a batch of ordered packets into the tile. `is_over` says that [`merge_over`] does all that is to be done.
 #[inline(always)]
-fn merge<S: Simd>(s: S, shading: &mut Shading<'_>) {
+fn merge<S: Simd>(s: S, shading: &mut Shading<'_>, is_over: bool) {
+    if is_over {
+        return merge_over(s, shading);
+    }
     let (state, discards) = (shading.call.state(), shading.call.discards());
     let tests = Tests { state, front_is_clockwise: shading.run.front_is_clockwise };
     let first = state.color(0);
@@ -243,7 +270,7 @@ fn merge<S: Simd>(s: S, shading: &mut Shading<'_>) {
 
 /// What the samples that passed leave in the tile, but for colour and stencil.
 #[inline(always)]
-fn keep<S: Simd>(
+pub(crate) fn keep<S: Simd>(
     s: S,
     tile: &mut Tile,
     writes_depth: bool,
@@ -263,14 +290,14 @@ fn keep<S: Simd>(
 
 /// What becomes of a colour, found out once a batch.
 #[derive(Clone, Copy)]
-enum How {
+pub(super) enum How {
     Replace,
     Alpha,
     Any,
 }
 
 impl How {
-    fn of(state: &ColorState) -> Self {
+    pub(super) fn of(state: &ColorState) -> Self {
         let Blend { color, alpha, .. } = Blend::ALPHA;
         match state.blend {
             blend if blend.replaces() => Self::Replace,
@@ -283,7 +310,7 @@ impl How {
 /// Brings one colour into the tile's; of a smooth line, by the parts of the pixels that it covers.
 #[inline(always)]
 #[expect(clippy::too_many_arguments, reason = "inlined")]
-fn merge_color<S: Simd>(
+pub(super) fn merge_color<S: Simd>(
     s: S,
     tile: &mut TileColor,
     block: usize,
@@ -297,7 +324,7 @@ fn merge_color<S: Simd>(
     let (mut color, second, is_unorm) = (channels(s, color), channels(s, second), tile.format.is_unorm());
     // Integers have no alpha to be multiplied.
     if let Some(parts) = parts.filter(|_| tile.format.kind() == OutputKind::Float) {
-        color[3] = color[3] * parts;
+        color[3] = f32x16::simd_from(s, products(&color[3].into(), &parts.into()));
     }
     // With the usual states known, nothing is left to be chosen.
     match how {
@@ -308,8 +335,19 @@ fn merge_color<S: Simd>(
     tile.store(s, block, alive, color, state.mask);
 }
 
+/// Lane by lane. Not inlined: the compiler would multiply whether there is something to multiply by or not, and of what lies there else,
+/// many a number is denormal, which takes a processor many times as long.
+#[inline(never)]
+fn products(a: &[f32; 16], b: &[f32; 16]) -> [f32; 16] {
+    let mut out = [0.0; 16];
+    for k in 0..16 {
+        out[k] = a[k] * b[k];
+    }
+    out
+}
+
 #[inline(always)]
-fn channels<S: Simd>(s: S, color: &Row4) -> Channels<S> {
+pub(crate) fn channels<S: Simd>(s: S, color: &Row4) -> Channels<S> {
     let [r, g, b, a] = *color;
     [f32x16::simd_from(s, r), f32x16::simd_from(s, g), f32x16::simd_from(s, b), f32x16::simd_from(s, a)]
 }

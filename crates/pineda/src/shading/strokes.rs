@@ -2,6 +2,7 @@
 
 use super::packet::PacketState;
 use crate::pass::ProvokingVertex;
+use crate::raster::groups::LinearDepth;
 use crate::raster::smooth::covered_area;
 use crate::raster::stroke::{Stroke, StrokeShape, corners_of_line};
 use crate::wide::{Simd, f32x16};
@@ -31,6 +32,15 @@ impl StrokeView<'_> {
             parts[lane as usize] = covered_area(&corners, packet.x + column, packet.y + row);
         }
         Some(f32x16::simd_from(s, parts))
+    }
+
+    /// The depth of a stroke, by its number in the run, at a place on the raster.
+    pub(crate) fn depth(&self, stroke: usize, at: [i32; 2]) -> f32 {
+        let Stroke { ends: [a, b], z: [za, zb], .. } = self.strokes[stroke];
+        match self.shape {
+            StrokeShape::Point => za,
+            _ => LinearDepth::along(a, b, za, zb).at(at),
+        }
     }
 
     /// Barycentric coordinates in a line, a point or the triangle that it is of, from those of a stroke's three records: `values[k]` is that of

@@ -14,11 +14,13 @@
 //! (1997), e_i(x, y) = (a_i x + b_i y + c_i), where (a_i, b_i, c_i) is the cross product of the other two vertices' (x, y, w): they are
 //! E_i / w_i but for a common factor, and hold behind the eye, too.
 
+use super::barycentric::Corner3;
 use crate::geometry::clip::canonical_positions;
+use crate::geometry::project::Homogeneous;
 use crate::geometry::raster_space::{HALF_PIXEL, SUBPIXELS};
 use crate::raster::triangle_id::TriangleId;
 use crate::shading::run::RunView;
-use crate::tile::view::BlockLanes;
+use crate::tile::view::{BlockLanes, Positions};
 use crate::wide::{Simd, f32x16, f64x8, i32x16, mask32x16};
 
 /// Coordinates relative to a block's first sample up to which edge functions in the block fit i32: 2 (2^15)^2 = 2^31, less what the
@@ -63,6 +65,14 @@ impl<S: Simd> Weights<S> {
         this
     }
 
+    /// The depth, which is linear on the screen, of triangles on the raster.
+    #[inline(always)]
+    pub(crate) fn depth(&self, s: S, z: Corner3<S>) -> f32x16<S> {
+        let [a, b, c] = self.linear;
+        let scale = f32x16::splat(s, 1.0) / ((a + b) + c);
+        (z.f0 + b * scale * z.d1) + c * scale * z.d2
+    }
+
     /// Takes over another triangle's weights in the lanes of a mask.
     #[inline(always)]
     pub(crate) fn select(&mut self, mask: mask32x16<S>, other: &Self) {
@@ -79,7 +89,7 @@ impl<S: Simd> Weights<S> {
     }
 }
 
-/// The same for all samples of a block: one triangle, at the block whose first pixel is (x, y).
+/// The same for all fragments of a block: one triangle, at the block whose first pixel is (x, y).
 #[inline(always)]
 pub(crate) fn of_triangle<S: Simd>(
     s: S,
@@ -88,7 +98,7 @@ pub(crate) fn of_triangle<S: Simd>(
     places: [usize; 3],
     x: i32,
     y: i32,
-    lanes: &BlockLanes<S>,
+    at: Positions<S>,
 ) -> Weights<S> {
     let (px, py) = (x * SUBPIXELS + HALF_PIXEL, y * SUBPIXELS + HALF_PIXEL);
     let mut vx = [0; 3];
@@ -117,21 +127,20 @@ pub(crate) fn of_triangle<S: Simd>(
         while k < 3 {
             let (a, b) = ((k + 1) % 3, (k + 2) % 3);
             let first = vx[a] * vy[b] - vx[b] * vy[a];
-            let exact = lanes.column * (step_x[k] * SUBPIXELS) + lanes.row * (step_y[k] * SUBPIXELS) + first;
+            let exact = at.x * step_x[k] + at.y * step_y[k] + first;
             edge[k] = exact.to_float();
             k += 1;
         }
     } else {
-        let (column_low, column_high) = lanes.x.widen();
-        let (row_low, row_high) = lanes.y.widen();
+        let (x_low, x_high) = at.x.to_float().widen();
+        let (y_low, y_high) = at.y.to_float().widen();
         let mut k = 0;
         while k < 3 {
             let (a, b) = ((k + 1) % 3, (k + 2) % 3);
             let first = (i64::from(vx[a]) * i64::from(vy[b]) - i64::from(vx[b]) * i64::from(vy[a])) as f64;
-            let right = f64::from(step_x[k]) * f64::from(SUBPIXELS);
-            let down = f64::from(step_y[k]) * f64::from(SUBPIXELS);
-            let low = (column_low * right + row_low * down) + first;
-            let high = (column_high * right + row_high * down) + first;
+            let (right, down) = (f64::from(step_x[k]), f64::from(step_y[k]));
+            let low = (x_low * right + y_low * down) + first;
+            let high = (x_high * right + y_high * down) + first;
             edge[k] = low.narrow(high);
             k += 1;
         }
@@ -219,7 +228,7 @@ impl<S: Simd> Prepared<S> {
     }
 }
 
-/// One clipped triangle, and which of its vertices as submitted each weight is of.
+/// One clipped triangle, which of its vertices as submitted each weight is of, and its depths.
 #[inline(never)]
 pub(crate) fn of_clipped<S: Simd>(
     s: S,
@@ -228,7 +237,8 @@ pub(crate) fn of_clipped<S: Simd>(
     id: TriangleId,
     x: i32,
     y: i32,
-) -> (Weights<S>, [usize; 3]) {
+    at: Positions<S>,
+) -> (Weights<S>, [usize; 3], f32x16<S>) {
     let places = run.places(id);
     let positions = places.map(|place| position(run.source.vertex(place)));
     let (p, order) = canonical_positions(run.projection, positions);
@@ -242,11 +252,12 @@ pub(crate) fn of_clipped<S: Simd>(
         largest = largest.max(row[0].abs() * reach + row[1].abs() * reach + row[2].abs());
     }
     let scale = if largest > 0.0 && largest.is_finite() { 1.0 / largest } else { 0.0 };
-    let weights = s.vectorize(
+    let (weights, depth) = s.vectorize(
         #[inline(always)]
-        || evaluate_homogeneous(s, &coefficients, scale, [p[0].w, p[1].w, p[2].w], x, y),
+        || evaluate_homogeneous(s, &coefficients, scale, &p, x, y, at),
     );
-    (weights, order)
+    let depth = depth * run.projection.depth_range() + run.projection.depth(0.0);
+    (weights, order, depth)
 }
 
 #[inline(always)]
@@ -254,33 +265,37 @@ fn evaluate_homogeneous<S: Simd>(
     s: S,
     coefficients: &[[f64; 3]; 3],
     scale: f64,
-    w: [f64; 3],
+    p: &[Homogeneous; 3],
     x: i32,
     y: i32,
-) -> Weights<S> {
-    let lanes = BlockLanes::new(s);
+    at: Positions<S>,
+) -> (Weights<S>, f32x16<S>) {
     let center = |first: i32| f64::from(first * SUBPIXELS + HALF_PIXEL);
-    let (column_low, column_high) = lanes.x.widen();
-    let (row_low, row_high) = lanes.y.widen();
+    let (x_low, x_high) = at.x.to_float().widen();
+    let (y_low, y_high) = at.y.to_float().widen();
     let subpixels = f64::from(SUBPIXELS);
-    let (x_low, x_high) = (column_low * subpixels + center(x), column_high * subpixels + center(x));
-    let (y_low, y_high) = (row_low * subpixels + center(y), row_high * subpixels + center(y));
+    let (x_low, x_high) = (x_low + center(x), x_high + center(x));
+    let (y_low, y_high) = (y_low + center(y), y_high + center(y));
     let zero = [f32x16::splat(s, 0.0); 3];
     let mut weights = Weights { perspective: zero, linear: zero, dx: zero, dy: zero, linear_dx: zero, linear_dy: zero };
+    let (mut z_low, mut z_high) = (f64x8::splat(s, 0.0), f64x8::splat(s, 0.0));
+    let (mut w_low, mut w_high) = (z_low, z_high);
     let mut k = 0;
     while k < 3 {
         let [a, b, c] = [coefficients[k][0] * scale, coefficients[k][1] * scale, coefficients[k][2] * scale];
         let low: f64x8<S> = (x_low * a + y_low * b) + c;
         let high: f64x8<S> = (x_high * a + y_high * b) + c;
         weights.perspective[k] = low.narrow(high);
-        weights.linear[k] = (low * w[k]).narrow(high * w[k]);
+        weights.linear[k] = (low * p[k].w).narrow(high * p[k].w);
         weights.dx[k] = f32x16::splat(s, (a * subpixels) as f32);
         weights.dy[k] = f32x16::splat(s, (b * subpixels) as f32);
-        weights.linear_dx[k] = f32x16::splat(s, (a * subpixels * w[k]) as f32);
-        weights.linear_dy[k] = f32x16::splat(s, (b * subpixels * w[k]) as f32);
+        weights.linear_dx[k] = f32x16::splat(s, (a * subpixels * p[k].w) as f32);
+        weights.linear_dy[k] = f32x16::splat(s, (b * subpixels * p[k].w) as f32);
+        (z_low, z_high) = (z_low + low * p[k].z, z_high + high * p[k].z);
+        (w_low, w_high) = (w_low + low * p[k].w, w_high + high * p[k].w);
         k += 1;
     }
-    weights
+    (weights, (z_low / w_low).narrow(z_high / w_high))
 }
 
 /// Another triangle in each lane, none of them clipped: coordinates relative to each lane's own sample, and 1 / w.

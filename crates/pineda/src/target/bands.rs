@@ -5,9 +5,9 @@ use super::{ColorBuffer, DepthBuffer, Target};
 use crate::tile::view::TileView;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
-/// The rows of a target's buffers that one row of tiles covers.
-#[derive(Debug)]
-pub(crate) struct Band<'a> {
+/// Some of the rows of a target's buffers: one sample of each pixel.
+#[derive(Debug, Default)]
+pub(crate) struct Plane<'a> {
     pub(crate) color: ColorBuffer<'a>,
     pub(crate) more_colors: Vec<ColorBuffer<'a>>,
     pub(crate) depth: DepthBuffer<'a>,
@@ -19,6 +19,40 @@ pub(crate) struct Band<'a> {
     pub(crate) hits: Option<&'a mut [u32]>,
 }
 
+impl<'a> Plane<'a> {
+    /// Stretches of so many pixels. Where a buffer ends earlier than others, it is none.
+    fn cut(self, pixels: usize) -> impl FnMut() -> Plane<'a> {
+        let mut color = self.color.into_chunks(pixels);
+        let mut more_colors: Vec<_> = self.more_colors.into_iter().map(|color| color.into_chunks(pixels)).collect();
+        let mut depth = self.depth.into_chunks(pixels);
+        let mut stencil = chunks(self.stencil, pixels);
+        let mut triangle_ids = chunks(self.triangle_ids, pixels);
+        let mut instance_ids = chunks(self.instance_ids, pixels);
+        let mut draw_ids = chunks(self.draw_ids, pixels);
+        let mut barycentrics = chunks(self.barycentrics, pixels);
+        let mut hits = chunks(self.hits, pixels);
+        move || Plane {
+            color: color.next().unwrap_or_default(),
+            more_colors: more_colors.iter_mut().map(|color| color.next().unwrap_or_default()).collect(),
+            depth: depth.next().unwrap_or_default(),
+            stencil: stencil.next(),
+            triangle_ids: triangle_ids.next(),
+            instance_ids: instance_ids.next(),
+            draw_ids: draw_ids.next(),
+            barycentrics: barycentrics.next(),
+            hits: hits.next(),
+        }
+    }
+}
+
+fn chunks<T>(buffer: Option<&mut [T]>, pixels: usize) -> impl Iterator<Item = &mut [T]> {
+    buffer.into_iter().flat_map(move |buffer| buffer.chunks_mut(pixels))
+}
+
+/// The rows that one row of tiles covers, sample by sample. Of what the target holds one value a pixel of, however many samples that has, only the first plane
+/// has a buffer.
+pub(crate) type Band<'a> = Vec<Plane<'a>>;
+
 /// All bands of a target, from the top.
 #[derive(Debug)]
 pub(crate) struct Bands<'a>(Vec<Mutex<Band<'a>>>);
@@ -26,49 +60,27 @@ pub(crate) struct Bands<'a>(Vec<Mutex<Band<'a>>>);
 impl<'a> Bands<'a> {
     /// Cuts a valid target into bands of `side` rows.
     pub(crate) fn new(target: &'a mut Target<'_>, side: usize) -> Self {
-        let rows = side * target.width as usize;
-        let count = (target.height as usize).div_ceil(side);
-        let mut color = target.color.chunks(rows);
-        let mut more_colors: Vec<_> = target.more_colors.iter_mut().map(|color| color.chunks(rows)).collect();
-        let mut depth = depth_chunks(&mut target.depth, rows);
-        let mut stencil = chunks(&mut target.stencil, rows);
-        let mut triangle_ids = chunks(&mut target.triangle_ids, rows);
-        let mut instance_ids = chunks(&mut target.instance_ids, rows);
-        let mut draw_ids = chunks(&mut target.draw_ids, rows);
-        let mut barycentrics = chunks(&mut target.barycentrics, rows);
-        let mut hits = chunks(&mut target.hits, rows);
-        let band = |_| {
-            Mutex::new(Band {
-                color: color.next().unwrap_or_default(),
-                more_colors: more_colors.iter_mut().map(|color| color.next().unwrap_or_default()).collect(),
-                depth: depth.next().unwrap_or_default(),
-                stencil: stencil.next(),
-                triangle_ids: triangle_ids.next(),
-                instance_ids: instance_ids.next(),
-                draw_ids: draw_ids.next(),
-                barycentrics: barycentrics.next(),
-                hits: hits.next(),
-            })
+        let (width, height) = (target.width as usize, target.height as usize);
+        let all = Plane {
+            color: target.color.reborrow(),
+            more_colors: target.more_colors.iter_mut().map(ColorBuffer::reborrow).collect(),
+            depth: target.depth.reborrow(),
+            stencil: target.stencil.as_deref_mut(),
+            triangle_ids: target.triangle_ids.as_deref_mut(),
+            instance_ids: target.instance_ids.as_deref_mut(),
+            draw_ids: target.draw_ids.as_deref_mut(),
+            barycentrics: target.barycentrics.as_deref_mut(),
+            hits: target.hits.as_deref_mut(),
         };
-        Self((0..count).map(band).collect())
+        let mut sample = all.cut(width * height);
+        let mut samples: Vec<_> = (0..target.samples.count()).map(|_| sample().cut(side * width)).collect();
+        let band = |_| Mutex::new(samples.iter_mut().map(|next| next()).collect());
+        Self((0..height.div_ceil(side)).map(band).collect())
     }
 
     /// The band of a row of tiles, for this thread alone while the guard lives.
     pub(crate) fn lock(&self, row: usize) -> MutexGuard<'_, Band<'a>> {
         self.0[row].lock().unwrap_or_else(PoisonError::into_inner)
-    }
-}
-
-fn chunks<'a, T>(buffer: &'a mut Option<&mut [T]>, rows: usize) -> impl Iterator<Item = &'a mut [T]> {
-    buffer.as_deref_mut().into_iter().flat_map(move |buffer| buffer.chunks_mut(rows))
-}
-
-fn depth_chunks<'a>(depth: &'a mut DepthBuffer<'_>, rows: usize) -> Box<dyn Iterator<Item = DepthBuffer<'a>> + 'a> {
-    match depth {
-        DepthBuffer::None => Box::new(std::iter::empty()),
-        DepthBuffer::D32F(depths) => Box::new(depths.chunks_mut(rows).map(DepthBuffer::D32F)),
-        DepthBuffer::D24(depths) => Box::new(depths.chunks_mut(rows).map(DepthBuffer::D24)),
-        DepthBuffer::D16(depths) => Box::new(depths.chunks_mut(rows).map(DepthBuffer::D16)),
     }
 }
 

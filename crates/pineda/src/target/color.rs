@@ -104,14 +104,14 @@ macro_rules! same_format {
     };
 }
 
-impl ColorBuffer<'_> {
+impl<'a> ColorBuffer<'a> {
     /// The same buffer, for a shorter while.
     pub(crate) fn reborrow(&mut self) -> ColorBuffer<'_> {
         same_format!(self, pixels, ColorBuffer::None, wrap => wrap(pixels))
     }
 
     /// Stretches of so many pixels.
-    pub(crate) fn chunks<'b>(&'b mut self, length: usize) -> Box<dyn Iterator<Item = ColorBuffer<'b>> + 'b> {
+    pub(crate) fn into_chunks(self, length: usize) -> Box<dyn Iterator<Item = Self> + 'a> {
         same_format!(self, pixels, Box::new(std::iter::empty()), wrap => Box::new(pixels.chunks_mut(length).map(wrap)))
     }
 

@@ -33,7 +33,7 @@ impl<'a> From<&'a mut [f32]> for DepthBuffer<'a> {
     }
 }
 
-impl DepthBuffer<'_> {
+impl<'a> DepthBuffer<'a> {
     /// The same buffer, for a shorter while.
     pub(crate) fn reborrow(&mut self) -> DepthBuffer<'_> {
         match self {
@@ -49,6 +49,16 @@ impl DepthBuffer<'_> {
             Self::None | Self::D32F(_) => DepthFormat::FLOAT,
             Self::D24(_) => DepthFormat::D24,
             Self::D16(_) => DepthFormat::D16,
+        }
+    }
+
+    /// Stretches of so many pixels.
+    pub(crate) fn into_chunks(self, length: usize) -> Box<dyn Iterator<Item = Self> + 'a> {
+        match self {
+            Self::None => Box::new(std::iter::empty()),
+            Self::D32F(depths) => Box::new(depths.chunks_mut(length).map(Self::D32F)),
+            Self::D24(depths) => Box::new(depths.chunks_mut(length).map(Self::D24)),
+            Self::D16(depths) => Box::new(depths.chunks_mut(length).map(Self::D16)),
         }
     }
 

@@ -113,10 +113,7 @@ impl TileColor {
     #[inline(always)]
     pub(crate) fn load<S: Simd>(&self, s: S, block: usize) -> Channels<S> {
         match self.format {
-            ColorFormat::Unorm8(4) => {
-                let p = u32x16::simd_from(s, self.words[block]);
-                [from_unorm8(s, p), from_unorm8(s, p >> 8), from_unorm8(s, p >> 16), from_unorm8(s, p >> 24)]
-            }
+            ColorFormat::Unorm8(4) => from_bytes(s, u32x16::simd_from(s, self.words[block])),
             ColorFormat::Srgb8(4) => {
                 let words = &self.words[block];
                 let decoded = decode_srgb(words);
@@ -178,6 +175,47 @@ impl TileColor {
                 let [r, g, b, a] = color;
                 self.store_other(s, block, mask.to_bitmask(), &[r.into(), g.into(), b.into(), a.into()], written);
             }
+        }
+    }
+
+    /// Copies the colour of one sample from another, each a block and a lane there, if it is asked for: without a branch, which would be guessed wrong too often.
+    #[inline(always)]
+    pub(crate) fn copy_sample(&mut self, from: [usize; 2], to: [usize; 2], asked: bool) {
+        let each = self.format.words();
+        let mut k = 0;
+        while k < each {
+            let word = self.words[each * from[0] + k][from[1] & 15];
+            let there = &mut self.words[each * to[0] + k][to[1] & 15];
+            *there = std::hint::select_unpredictable(asked, word, *there);
+            k += 1;
+        }
+    }
+
+    /// Whether two blocks hold the same.
+    #[inline(always)]
+    pub(crate) fn is_same<S: Simd>(&self, s: S, a: usize, b: usize) -> bool {
+        let each = self.format.words();
+        let mut same = mask32x16::splat(s, true);
+        let mut k = 0;
+        while k < each {
+            let (a, b) =
+                (u32x16::simd_from(s, self.words[each * a + k]), u32x16::simd_from(s, self.words[each * b + k]));
+            same = same & a.simd_eq(b);
+            k += 1;
+        }
+        same.to_bitmask() == 0xffff
+    }
+
+    /// Copies the colours of some of a block's samples from another block.
+    #[inline(always)]
+    pub(crate) fn copy_block<S: Simd>(&mut self, s: S, from: usize, to: usize, mask: mask32x16<S>) {
+        let each = self.format.words();
+        let mut k = 0;
+        while k < each {
+            let word = u32x16::simd_from(s, self.words[each * from + k]);
+            let there = &mut self.words[each * to + k];
+            *there = mask.select(word, u32x16::simd_from(s, *there)).into();
+            k += 1;
         }
     }
 
@@ -361,6 +399,25 @@ fn from_unorm8<S: Simd>(_: S, codes: u32x16<S>) -> f32x16<S> {
 
 pub(crate) const PART_OF_255: f32 = f32::from_bits((1.0f32 / 255.0).to_bits() & !0xff);
 pub(crate) const REST_OF_255: f32 = (1.0 / 255.0 - PART_OF_255 as f64) as f32;
+
+/// The four bytes of each lane, over 255.
+#[inline(always)]
+pub(crate) fn from_bytes<S: Simd>(s: S, p: u32x16<S>) -> Channels<S> {
+    [from_unorm8(s, p), from_unorm8(s, p >> 8), from_unorm8(s, p >> 16), from_unorm8(s, p >> 24)]
+}
+
+/// Packed 8-bit codes of channels, red in the lowest byte, all of them known to be from 0 to 1.
+#[inline(always)]
+pub(crate) fn to_bytes<S: Simd, const N: usize>(s: S, channels: [f32x16<S>; N]) -> u32x16<S> {
+    let mut packed = u32x16::splat(s, 0);
+    let mut k = 0;
+    while k < N {
+        let code: i32x16<S> = (channels[k] * 255.0 + 0.5).to_int();
+        packed = packed | (code.bitcast::<u32x16<S>>() << (8 * k as u32));
+        k += 1;
+    }
+    packed
+}
 
 /// The sRGB codes of three channels, packed, alpha 0.
 #[inline(always)]

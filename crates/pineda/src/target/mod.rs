@@ -13,6 +13,7 @@ pub use depth::DepthBuffer;
 pub use half::{f16_to_f32, f32_to_f16};
 
 use crate::Error;
+use crate::raster::samples::Samples;
 
 /// The most colour buffers that a target may have.
 pub const MAX_COLORS: usize = 8;
@@ -24,6 +25,9 @@ pub const MAX_SIZE: u32 = 16_384;
 pub const NO_ID: u32 = u32::MAX;
 
 /// The buffers that a pass draws into. Each holds `width * height` elements, row by row from the top; those that are `None` are not written.
+///
+/// If pixels have several [`samples`](Self::samples), each buffer holds either one element a pixel or one for each sample: a whole picture of the first sample, then one of the second, and so
+/// on. In a buffer with one element a pixel, colours are the average over the pixel's samples, taken in linear light; everything else, integers among it, is what sample 0 has.
 ///
 /// ```
 /// use pineda::{ColorBuffer, DepthBuffer, Target};
@@ -42,6 +46,31 @@ pub struct Target<'a> {
     pub width: u32,
     /// Pixels down, 1 to [`MAX_SIZE`].
     pub height: u32,
+    /// How many samples a pixel has, at which coverage, depth and stencil are tested: more than one makes smooth borders.
+    ///
+    /// ```
+    /// use pineda::*;
+    /// let corners = [[0.0, 0.0], [0.0, 6.0], [6.0, 0.0]];
+    /// let mut pass = Pass::new();
+    /// pass.draw_with(
+    ///     Mesh { vertices: &corners, indices: Indices::Sequential },
+    ///     DrawState { space: Space::Raster, ..DrawState::default() },
+    ///     |&[x, y]| (Vec4::from([x, y, 0.0, 1.0]), ()),
+    ///     |f| Rgba::gray(f.splat(1.0)),
+    /// );
+    /// let (mut pixels, mut hits) = (vec![[0.0; 4]; 6 * 6], vec![0; 4 * 6 * 6]);
+    /// let mut target = Target {
+    ///     samples: Samples::Four,
+    ///     color: ColorBuffer::Rgba32F(&mut pixels),
+    ///     hits: Some(&mut hits),
+    ///     ..Target::new(6, 6)
+    /// };
+    /// Renderer::new(Settings::default())?.render(&pass, &mut target)?;
+    /// assert_eq!(pixels[..6].iter().map(|p| p[0]).collect::<Vec<_>>(), [1.0, 1.0, 1.0, 1.0, 1.0, 0.5]);
+    /// assert_eq!([0, 1, 2, 3].map(|sample| hits[36 * sample + 5]), [1, 0, 1, 0]);
+    /// # Ok::<(), Error>(())
+    /// ```
+    pub samples: Samples,
     /// The picture: what the fragment stage returns, or the first of what it returns.
     pub color: ColorBuffer<'a>,
     /// Where the further things go that fragment stages return; see [`Outputs`](crate::Outputs). With `color` at most [`MAX_COLORS`].
@@ -85,6 +114,7 @@ impl Target<'_> {
         Self {
             width,
             height,
+            samples: Samples::One,
             color: ColorBuffer::None,
             more_colors: Vec::new(),
             depth: DepthBuffer::None,
@@ -129,8 +159,11 @@ impl Target<'_> {
         }
         let more_colors = self.more_colors.iter().map(|color| ("more_colors", color.length()));
         for (buffer, length) in buffers.into_iter().chain(more_colors) {
-            if let Some(length) = length.filter(|&length| length != expected) {
-                return Err(Error::BufferLength { buffer, length, expected, width, height });
+            let of_all_samples = expected.checked_mul(self.samples.count());
+            let is_right = |length: usize| length == expected || Some(length) == of_all_samples;
+            if let Some(length) = length.filter(|&length| !is_right(length)) {
+                let samples = self.samples.count();
+                return Err(Error::BufferLength { buffer, length, expected, width, height, samples });
             }
         }
         Ok(())

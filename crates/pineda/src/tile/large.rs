@@ -4,7 +4,7 @@
 //! everywhere inside, and the edge is forgotten (its steps become 0). In a window, the sixteen blocks are the lanes; in
 //! a block, the sixteen samples are (Abrash 2009, "Rasterization on Larrabee").
 
-use super::sink::{DepthRange, Sink};
+use super::sink::{DepthRange, Sink, Window};
 use super::view::{BlockLanes, TileView};
 use crate::geometry::raster_space::{HALF_PIXEL, SUBPIXEL_BITS, SUBPIXELS};
 use crate::raster::record::{DepthPlane, LargeTriangle, SampleBox};
@@ -71,7 +71,9 @@ pub(crate) fn large<S: Simd, K: Sink<S>>(
     let (ax, ay) = t.vertex(0);
     // Distances of a sample from the anchor, in pixels: exact.
     let distance = |first: i32, anchor: i64| (first * SUBPIXELS + HALF_PIXEL - anchor as i32) as f32 / SUBPIXELS as f32;
-    if sink.hides_tile(s, depth_range(&plane, distance(view.x, ax), distance(view.y, ay), view.side)) {
+    let sample = t.0[15] as usize;
+    let first_block = view.plane(sample);
+    if sink.hides_tile(s, sample, depth_range(&plane, distance(view.x, ax), distance(view.y, ay), view.side)) {
         return;
     }
     let samples = SampleBox::unpack(t.0[1], t.0[2]);
@@ -91,21 +93,22 @@ pub(crate) fn large<S: Simd, K: Sink<S>>(
         while wx <= wx1 {
             let (column, row) = ((wx - wx0) * WINDOW, (wy - wy0) * WINDOW);
             let (fx, fy) = (fx0 + column as f32, fy0 + row as f32);
-            let window = (wy * (view.side / WINDOW) + wx) as usize;
+            let window = Window { sample, number: (wy * (view.side / WINDOW) + wx) as usize };
             let depths = depth_range(&plane, fx, fy, WINDOW);
             wx += 1;
             if sink.hides_window(window, depths) {
                 continue;
             }
             let (wx_px, wy_px) = ((wx - 1) * WINDOW, wy * WINDOW);
+            let block = first_block + view.block(wx_px / 4, wy_px / 4);
             let is_whole =
                 is_inside_all && x0 <= wx_px && x1 >= wx_px + WINDOW - 1 && y0 <= wy_px && y1 >= wy_px + WINDOW - 1;
             if is_whole {
-                whole_window(s, t.0[0], &plane, view.block(wx_px / 4, wy_px / 4), view.stride, fx, fy, lanes, sink);
+                whole_window(s, t.0[0], &plane, block, view.stride, fx, fy, lanes, sink);
                 sink.covered_window(window, depths);
                 continue;
             }
-            if sink.hides_blocks(s, view.block(wx_px / 4, wy_px / 4), view.stride, depths) {
+            if sink.hides_blocks(s, block, view.stride, depths) {
                 continue;
             }
             let mut candidates = blocks.touched(s, &edges, column, row);
@@ -120,7 +123,7 @@ pub(crate) fn large<S: Simd, K: Sink<S>>(
                     inside = inside & lanes.within(rect, view.x + wx_px + 4 * bx, view.y + wy_px + 4 * by);
                 }
                 let z = depths_at(lanes, &plane, fx + (4 * bx) as f32, fy + (4 * by) as f32);
-                sink.samples(s, view.block(wx_px / 4 + bx, wy_px / 4 + by), inside, z, t.0[0]);
+                sink.samples(s, block + by as usize * view.stride + bx as usize, inside, z, t.0[0]);
             }
         }
         wy += 1;

@@ -106,6 +106,7 @@ pub(crate) fn mid<S: Simd, K: Sink<S>>(
     let fx = lanes.x * 4.0 + distance(6, column);
     let fy = lanes.y * 4.0 + distance(7, row);
     let place: u32x16<S> = (lanes.column + lanes.row * view.stride as i32).bitcast();
+    let place = place + view.plane(t.0[14] as usize) as u32;
 
     let mut at = work.blocks;
     let mut by = y0;

@@ -1,7 +1,8 @@
 //! Tiles: coverage, depth and visibility of the binned triangles, a square of the picture at a time.
 //!
 //! A tile is stored as blocks of 4 x 4 samples: a block is sixteen lanes and one cache line. Around the tile's blocks there is a border of
-//! one block, so that a small triangle that hangs over the tile's edge needs no clipping; what lands in the border is never read.
+//! one block, so that a small triangle that hangs over the tile's edge needs no clipping; what lands in the border is never read. Of multisampled pixels, each
+//! sample has such a plane of blocks, one behind the other.
 
 pub(crate) mod coverage;
 pub(crate) mod large;
@@ -13,6 +14,7 @@ pub(crate) mod sink;
 pub(crate) mod small;
 pub(crate) mod view;
 
+use crate::raster::samples::MAX_SAMPLES;
 use view::TileView;
 
 /// The depth and visibility buffers of the tile that a thread is working on.
@@ -24,7 +26,9 @@ pub(crate) struct Tile {
     pub(crate) stencil: Vec<[i32; 16]>,
     /// The visible triangle of each sample, a [`TriangleId`](crate::raster::triangle_id::TriangleId); 0 is none.
     pub(crate) id: Vec<[u32; 16]>,
-    pub(crate) bounds: Bounds,
+    /// Of each sample.
+    pub(crate) bounds: [Bounds; MAX_SAMPLES],
+    sample_count: usize,
     window_count: usize,
     /// The triangle that each sample shows, whether its colour is there already or not; empty unless the target asks for it.
     pub(crate) shown: Vec<[u32; 16]>,
@@ -40,18 +44,22 @@ impl Tile {
         self.id.clear();
         self.id.resize(blocks, [0; 16]);
         self.window_count = (view.side as usize / 16).pow(2);
-        self.bounds = Bounds { farthest: [0.0; 16], nearest: [1.0; 16] };
-        self.bounds.farthest[..self.window_count].fill(depth);
-        self.bounds.nearest[..self.window_count].fill(depth);
+        let mut bounds = Bounds { farthest: [0.0; 16], nearest: [1.0; 16] };
+        bounds.farthest[..self.window_count].fill(depth);
+        bounds.nearest[..self.window_count].fill(depth);
+        self.sample_count = view.samples.count();
+        self.bounds[..self.sample_count].fill(bounds);
     }
 
     /// Forgets what is known of the nearest and of the farthest depths.
     pub(crate) fn unbound(&mut self, nearest: bool, farthest: bool) {
-        if nearest {
-            self.bounds.nearest[..self.window_count].fill(0.0);
-        }
-        if farthest {
-            self.bounds.farthest[..self.window_count].fill(1.0);
+        for bounds in &mut self.bounds[..self.sample_count] {
+            if nearest {
+                bounds.nearest[..self.window_count].fill(0.0);
+            }
+            if farthest {
+                bounds.farthest[..self.window_count].fill(1.0);
+            }
         }
     }
 }

@@ -6,15 +6,20 @@ use super::sink::{AnyTest, DepthTest, HitCounter, Sink, Usual, Visibility};
 use super::view::TileView;
 use super::{Tile, outputs};
 use crate::pass::draw_call::DrawCall;
+use crate::pass::kept::KeptTiles;
 use crate::pass::plan::{Batch, Segment, SegmentKind};
-use crate::pass::{Compare, DrawStatistics};
+use crate::pass::{Compare, DrawStatistics, Sampling};
 use crate::raster::bins::{BinEntry, Share, TileGrid};
+use crate::raster::samples::Samples;
 use crate::raster::setup::PixelRect;
-use crate::raster::triangle_id::TriangleId;
+use crate::raster::triangle_id::{ORDER_BITS, TriangleId};
 use crate::shading::cached::TriangleCache;
+use crate::shading::multisample::{shade_samples_in_order, shade_visible_samples};
 use crate::shading::packet::PacketBatch;
 use crate::shading::run::RunView;
+use crate::shading::sample_packets::{SamplePacket, collect_visible as collect_visible_samples};
 use crate::shading::shade::{OrderedPacket, Shading, VisiblePacket, shade_in_order, shade_visible};
+use crate::shading::single::Single;
 use crate::target::MAX_COLORS;
 use crate::target::bands::Bands;
 use crate::target::depth::DepthFormat;
@@ -38,6 +43,16 @@ pub(crate) struct Painting<'a> {
     pub(crate) start: Start,
     pub(crate) wants: Wants,
     pub(crate) depth_format: DepthFormat,
+    pub(crate) samples: Samples,
+    /// Where tiles with several samples stay between flushes, if there is more than one.
+    pub(crate) kept: Option<&'a KeptTiles>,
+}
+
+impl Painting<'_> {
+    /// Whether what is painted goes to the target.
+    pub(crate) fn is_last(&self) -> bool {
+        self.kept.is_none_or(|kept| kept.is_last)
+    }
 }
 
 /// What tiles start with; `None` is what the target holds.
@@ -80,15 +95,17 @@ pub(crate) struct Painter {
     pub(crate) more_colors: Vec<TileColor>,
     pub(crate) hits: Vec<[u32; 16]>,
     visible: Vec<VisiblePacket>,
+    visible_samples: Vec<SamplePacket>,
     batch: PacketBatch,
     cache: TriangleCache,
+    single: Single,
     ordered: Vec<OrderedPacket>,
     /// What was counted of each draw, if it is asked for.
     pub(crate) draws: Vec<DrawStatistics>,
 }
 
-/// Ordered packets are shaded when there are this many.
-const ORDERED_PACKETS: usize = 256;
+/// Ordered packets are shaded when there are this many: few enough that the nearest cache holds them beside a tile's colours and depths.
+const ORDERED_PACKETS: usize = 64;
 
 impl Painter {
     pub(crate) fn new() -> Self {
@@ -98,8 +115,10 @@ impl Painter {
             more_colors: Vec::new(),
             hits: Vec::new(),
             visible: Vec::new(),
+            visible_samples: Vec::new(),
             batch: PacketBatch::new(),
             cache: TriangleCache::new(),
+            single: Single::NONE,
             ordered: Vec::new(),
             draws: Vec::new(),
         }
@@ -116,12 +135,19 @@ impl Painter {
 
     /// Paints a tile and copies it to the target.
     fn paint(&mut self, painting: &Painting<'_>, column: u32, row: u32) {
-        let view = TileView::new(column, row, painting.grid.log2);
+        let view = TileView::new(column, row, painting.grid.log2, painting.samples);
         let bin = row as usize * painting.grid.columns as usize + column as usize;
+        let mut kept = painting.kept.map(|kept| kept.lock(bin));
         if painting.shares.iter().all(|share| share.bins[bin].is_empty()) {
-            return outputs::clear(painting, &view, row as usize);
+            let is_untouched = kept.as_ref().is_none_or(|kept| kept.is_empty());
+            if is_untouched || !painting.is_last() {
+                return outputs::clear(painting, &view, row as usize);
+            }
         }
         self.start(painting, &view, row as usize);
+        if let Some(kept) = kept.as_deref().filter(|kept| !kept.is_empty()) {
+            self.restore(kept);
+        }
         let mut has_visible = false;
         let mut counted = None;
         for share in painting.shares {
@@ -162,7 +188,12 @@ impl Painter {
             self.shade_visible(painting, &view);
             self.keep_shown();
         }
-        outputs::store(self, painting, &view, row as usize);
+        if painting.is_last() {
+            outputs::store(self, painting, &view, row as usize);
+        } else if let Some(kept) = &mut kept {
+            self.keep(kept);
+        }
+        outputs::store_shown(self, painting, &view, row as usize);
     }
 
     /// Gives the tile its first contents.
@@ -230,14 +261,21 @@ impl Painter {
             _ => dispatch!(level, s => visibility::<_, _, true>(s, &area, tile, test, counted_in)),
         };
         if let Some(draw) = segment.draw {
-            self.counts(draw).samples_passed += passed;
+            let counts = self.counts(draw);
+            counts.samples_passed += passed;
+            // Of the others only what is visible in the end.
+            counts.samples_written += if segment.kind == SegmentKind::DepthOnly { passed } else { 0 };
         }
     }
 
     /// Shades every sample of the visibility buffer, draw by draw.
     fn shade_visible(&mut self, painting: &Painting<'_>, view: &TileView) {
-        if !painting.wants.any_color() {
+        let has_color = painting.wants.any_color();
+        if !has_color && painting.batch.segments.iter().all(|segment| segment.draw.is_none()) {
             return;
+        }
+        if !painting.samples.is_one() {
+            return self.shade_visible_samples(painting, view);
         }
         self.visible.clear();
         let (tile, visible) = (&self.tile, &mut self.visible);
@@ -248,6 +286,15 @@ impl Painter {
         }
         for packets in self.visible.chunk_by(|a, b| a.run == b.run) {
             let run = packets[0].run as usize;
+            if let Some(draw) = painting.batch.segments[painting.batch.runs[run].segment].draw {
+                let samples = packets.iter().map(|packet| u64::from(packet.mask.count_ones())).sum::<u64>();
+                let counts = draws_entry(&mut self.draws, draw);
+                counts.samples_written += samples;
+                counts.fragments_shaded += if has_color { samples } else { 0 };
+            }
+            if !has_color {
+                continue;
+            }
             let mut shading = Shading {
                 level: painting.level,
                 call: &*painting.draws[painting.batch.runs[run].draw],
@@ -258,14 +305,78 @@ impl Painter {
                 more_colors: &mut self.more_colors,
                 batch: &mut self.batch,
                 cache: &mut self.cache,
+                single: &mut self.single,
                 counted: None,
             };
             dispatch!(painting.level, s => shade_visible(s, &mut shading, packets));
-            if painting.batch.segments[painting.batch.runs[run].segment].draw.is_some() {
-                let fragments: u32 = packets.iter().map(|packet| packet.mask.count_ones()).sum();
-                draws_entry(&mut self.draws, painting.batch.runs[run].draw).fragments_shaded += u64::from(fragments);
-            }
         }
+    }
+
+    /// The same where pixels have several samples.
+    fn shade_visible_samples(&mut self, painting: &Painting<'_>, view: &TileView) {
+        let mut visible = std::mem::take(&mut self.visible_samples);
+        visible.clear();
+        let (batch, tile) = (painting.batch, &self.tile);
+        let is_by_sample = |run: usize| painting.draws[batch.runs[run].draw].state().sampling == Sampling::Sample;
+        dispatch!(painting.level, s => collect_visible_samples(s, batch, &is_by_sample, tile, view, &mut visible));
+        if batch.runs.len() > 1 {
+            visible.sort_by_key(|packet| packet.run);
+        }
+        for packets in visible.chunk_by(|a, b| a.run == b.run) {
+            let run = &batch.runs[packets[0].run as usize];
+            let segment = &batch.segments[run.segment];
+            if let Some(draw) = segment.draw {
+                let counts = draws_entry(&mut self.draws, draw);
+                for packet in packets {
+                    let fragments = u64::from(packet.mask.count_ones());
+                    let samples =
+                        if is_by_sample(packet.run as usize) { fragments } else { packet.samples(&self.tile, view) };
+                    counts.samples_written += samples;
+                    counts.fragments_shaded += if painting.wants.any_color() { fragments } else { 0 };
+                }
+            }
+            if !painting.wants.any_color() {
+                continue;
+            }
+            let mut shading = Shading {
+                level: painting.level,
+                call: &*painting.draws[run.draw],
+                run: &painting.runs[packets[0].run as usize],
+                view,
+                tile: &mut self.tile,
+                color: &mut self.color,
+                more_colors: &mut self.more_colors,
+                batch: &mut self.batch,
+                cache: &mut self.cache,
+                single: &mut self.single,
+                counted: None,
+            };
+            dispatch!(painting.level, s => shade_visible_samples(s, &mut shading, packets, segment.depth));
+        }
+        self.visible_samples = visible;
+    }
+
+    /// Keeps the tile until the next flush.
+    fn keep(&self, kept: &mut Vec<[u32; 16]>) {
+        kept.clear();
+        kept.extend_from_slice(bytemuck::must_cast_slice(&self.tile.depth));
+        kept.extend_from_slice(bytemuck::must_cast_slice(&self.tile.stencil));
+        for color in std::iter::once(&self.color).chain(&self.more_colors) {
+            kept.extend_from_slice(&color.words);
+        }
+    }
+
+    /// Goes on with a tile that was kept.
+    fn restore(&mut self, mut kept: &[[u32; 16]]) {
+        let mut fill =
+            |blocks: &mut [[u32; 16]]| blocks.copy_from_slice(kept.split_off(..blocks.len()).unwrap_or_default());
+        let tile = &mut self.tile;
+        fill(bytemuck::must_cast_slice_mut(&mut tile.depth));
+        fill(bytemuck::must_cast_slice_mut(&mut tile.stencil));
+        for color in std::iter::once(&mut self.color).chain(&mut self.more_colors) {
+            fill(&mut color.words);
+        }
+        tile.unbound(true, true);
     }
 
     /// The numbers of a draw.
@@ -308,10 +419,13 @@ impl Painter {
         let test = AnyTest { rule: segment.depth, format: painting.depth_format };
         let mut work = std::mem::take(&mut self.tile.worklist);
         let mut counted = segment.draw.map(|_| DrawStatistics::default());
+        let is_plain = painting.samples.is_one() && !call.state().alpha_to_coverage;
+        self.single.forget();
         let mut sink = InOrder {
             test,
             packets: &mut self.ordered,
-            flush: &mut |packets: &[OrderedPacket]| {
+            is_plain,
+            flush: &mut |packets: &mut [OrderedPacket]| {
                 let mut shading = Shading {
                     level: painting.level,
                     call,
@@ -322,9 +436,14 @@ impl Painter {
                     more_colors: &mut self.more_colors,
                     batch: &mut self.batch,
                     cache: &mut self.cache,
+                    single: &mut self.single,
                     counted: counted.as_mut(),
                 };
-                dispatch!(painting.level, s => shade_in_order(s, &mut shading, packets));
+                if is_plain {
+                    dispatch!(painting.level, s => shade_in_order(s, &mut shading, packets));
+                } else {
+                    dispatch!(painting.level, s => shade_samples_in_order(s, &mut shading, packets, segment.depth));
+                }
             },
         };
         dispatch!(painting.level, s => cover(s, share, entries, view, segment.rect.as_ref(), &mut work, &mut sink));
@@ -431,13 +550,21 @@ impl<'a> Iterator for Stretches<'a> {
 }
 
 /// Collects covered blocks in order, and has them shaded when there are enough.
-struct InOrder<'a, F: FnMut(&[OrderedPacket])> {
+struct InOrder<'a, F: FnMut(&mut [OrderedPacket])> {
     test: AnyTest,
+    /// Whether a triangle's packets may be shaded in parts.
+    is_plain: bool,
     packets: &'a mut Vec<OrderedPacket>,
     flush: &'a mut F,
 }
 
-impl<F: FnMut(&[OrderedPacket])> InOrder<'_, F> {
+impl<F: FnMut(&mut [OrderedPacket])> InOrder<'_, F> {
+    /// Whether what is there can be shaded before the next triangle comes.
+    #[inline(always)]
+    fn can_shade_before(&self, id: u32) -> bool {
+        self.is_plain || self.packets.last().is_none_or(|last| last.id >> ORDER_BITS != id >> ORDER_BITS)
+    }
+
     #[inline(never)]
     fn finish(&mut self) {
         (self.flush)(self.packets);
@@ -445,16 +572,16 @@ impl<F: FnMut(&[OrderedPacket])> InOrder<'_, F> {
     }
 }
 
-impl<S: Simd, F: FnMut(&[OrderedPacket])> Sink<S> for InOrder<'_, F> {
+impl<S: Simd, F: FnMut(&mut [OrderedPacket])> Sink<S> for InOrder<'_, F> {
     #[inline(always)]
     fn samples(&mut self, s: S, block: usize, inside: mask32x16<S>, z: f32x16<S>, id: u32) {
         let mask = inside.to_bitmask() as u32;
         if mask != 0 {
-            let depth = self.test.depths(s, z).into();
-            self.packets.push(OrderedPacket { depth, id, block: block as u32, mask });
-            if self.packets.len() == ORDERED_PACKETS {
+            if self.packets.len() >= ORDERED_PACKETS && self.can_shade_before(id) {
                 self.finish();
             }
+            let depth = self.test.depths(s, z).into();
+            self.packets.push(OrderedPacket { depth, id, block: block as u32, mask });
         }
     }
 }

@@ -4,6 +4,7 @@ use super::view::TileView;
 use super::{Bounds, Tile};
 use crate::pass::Compare;
 use crate::pass::plan::DepthRule;
+use crate::raster::samples::MAX_SAMPLES;
 use crate::target::depth::DepthFormat;
 use crate::wide::{Simd, f32x16, i32x16, mask32x16, u32x16};
 
@@ -14,13 +15,13 @@ pub(crate) trait Sink<S: Simd> {
 
     /// Whether a triangle whose depths lie in this range can be left out of the whole tile, by what is known of it.
     #[inline(always)]
-    fn hides_tile(&self, _: S, _depths: DepthRange) -> bool {
+    fn hides_tile(&self, _: S, _sample: usize, _depths: DepthRange) -> bool {
         false
     }
 
     /// Whether it can be left out of a 16 x 16 window, by what is known of it.
     #[inline(always)]
-    fn hides_window(&self, _window: usize, _depths: DepthRange) -> bool {
+    fn hides_window(&self, _window: Window, _depths: DepthRange) -> bool {
         false
     }
 
@@ -32,7 +33,14 @@ pub(crate) trait Sink<S: Simd> {
 
     /// A triangle whose depths lie in this range was drawn to every sample of a window.
     #[inline(always)]
-    fn covered_window(&mut self, _window: usize, _depths: DepthRange) {}
+    fn covered_window(&mut self, _window: Window, _depths: DepthRange) {}
+}
+
+/// A window of 16 x 16 pixels, by its number in the tile, row by row; and one sample of each of its pixels.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Window {
+    pub(crate) sample: usize,
+    pub(crate) number: usize,
 }
 
 /// Depths, before clamping.
@@ -145,13 +153,28 @@ impl Compare {
             | (mask32x16::splat(s, equal) & new.simd_eq(there))
             | (mask32x16::splat(s, greater) & new.simd_gt(there))
     }
+
+    /// The same by one comparison, for loops in which a branch that always goes the same way costs less than two comparisons more.
+    #[inline(always)]
+    pub(crate) fn passes_by_case<S: Simd>(self, s: S, new: i32x16<S>, there: i32x16<S>) -> mask32x16<S> {
+        match self {
+            Self::Never => mask32x16::splat(s, false),
+            Self::Less => new.simd_lt(there),
+            Self::Equal => new.simd_eq(there),
+            Self::LessEqual => new.simd_le(there),
+            Self::Greater => new.simd_gt(there),
+            Self::NotEqual => !new.simd_eq(there),
+            Self::GreaterEqual => new.simd_ge(there),
+            Self::Always => mask32x16::splat(s, true),
+        }
+    }
 }
 
 /// Keeps the depth and, with `ID`, the triangle of the samples that pass: visibility, no shader involved.
 pub(crate) struct Visibility<'a, T, const ID: bool> {
     tile_depth: &'a mut [[i32; 16]],
     tile_id: &'a mut [[u32; 16]],
-    bounds: &'a mut Bounds,
+    bounds: &'a mut [Bounds; MAX_SAMPLES],
     test: T,
     /// Where the tile lies, if passing samples are counted, and how many there were.
     counted_in: Option<TileView>,
@@ -193,19 +216,20 @@ impl<S: Simd, T: DepthTest<S>, const ID: bool> Sink<S> for Visibility<'_, T, ID>
     }
 
     #[inline(always)]
-    fn hides_tile(&self, s: S, depths: DepthRange) -> bool {
+    fn hides_tile(&self, s: S, sample: usize, depths: DepthRange) -> bool {
         let ([less, equal, greater], depths) = (self.test.outcomes(), self.test.range(depths));
-        let (farthest, nearest) =
-            (f32x16::simd_from(s, self.bounds.farthest), f32x16::simd_from(s, self.bounds.nearest));
+        let bounds = &self.bounds[sample & (MAX_SAMPLES - 1)];
+        let (farthest, nearest) = (f32x16::simd_from(s, bounds.farthest), f32x16::simd_from(s, bounds.nearest));
         let all = |mask: mask32x16<S>| mask.to_bitmask() == 0xffff;
         (!greater && all(if equal { farthest.simd_lt(depths.nearest) } else { farthest.simd_le(depths.nearest) }))
             || (!less && all(if equal { nearest.simd_gt(depths.farthest) } else { nearest.simd_ge(depths.farthest) }))
     }
 
     #[inline(always)]
-    fn hides_window(&self, window: usize, depths: DepthRange) -> bool {
+    fn hides_window(&self, window: Window, depths: DepthRange) -> bool {
         let ([less, equal, greater], depths) = (self.test.outcomes(), self.test.range(depths));
-        let (farthest, nearest) = (self.bounds.farthest[window & 15], self.bounds.nearest[window & 15]);
+        let bounds = &self.bounds[window.sample & (MAX_SAMPLES - 1)];
+        let (farthest, nearest) = (bounds.farthest[window.number & 15], bounds.nearest[window.number & 15]);
         (!greater && (if equal { depths.nearest > farthest } else { depths.nearest >= farthest }))
             || (!less && (if equal { depths.farthest < nearest } else { depths.farthest <= nearest }))
     }
@@ -237,9 +261,10 @@ impl<S: Simd, T: DepthTest<S>, const ID: bool> Sink<S> for Visibility<'_, T, ID>
     }
 
     #[inline(always)]
-    fn covered_window(&mut self, window: usize, depths: DepthRange) {
+    fn covered_window(&mut self, window: Window, depths: DepthRange) {
         let ([less, _, greater], depths) = (self.test.outcomes(), self.test.range(depths));
-        let (farthest, nearest) = (&mut self.bounds.farthest[window & 15], &mut self.bounds.nearest[window & 15]);
+        let bounds = &mut self.bounds[window.sample & (MAX_SAMPLES - 1)];
+        let (farthest, nearest) = (&mut bounds.farthest[window.number & 15], &mut bounds.nearest[window.number & 15]);
         // What did not pass was no farther (nearer) than this triangle. Where both may pass, the next triangle may undo it.
         if less && !greater && depths.farthest < *farthest {
             *farthest = if depths.farthest > 0.0 { depths.farthest } else { 0.0 };

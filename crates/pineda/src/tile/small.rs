@@ -15,8 +15,9 @@ pub(crate) fn small<S: Simd, K: Sink<S>>(
     lanes: &BlockLanes<S>,
     sink: &mut K,
 ) {
-    let [id, at, left, right, z0, dz_dx, dz_dy, anchor] = t.0;
-    let block = view.block((at & 0xffff) as i32 - (view.x >> 2), (at >> 16) as i32 - (view.y >> 2));
+    let [id, _, left, right, z0, dz_dx, dz_dy, anchor] = t.0;
+    let (x, y, plane) = t.place();
+    let block = view.plane(plane) + view.block(x - (view.x >> 2), y - (view.y >> 2));
     // Integer sums and a power of two: all exact.
     let fx: f32x16<S> = ((lanes.column << 8) + i32::from(anchor as i16)).to_float();
     let fy: f32x16<S> = ((lanes.row << 8) + (anchor as i32 >> 16)).to_float();

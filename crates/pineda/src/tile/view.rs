@@ -1,5 +1,7 @@
 //! Where a tile lies, and how its blocks are numbered.
 
+use crate::geometry::raster_space::SUBPIXEL_BITS;
+use crate::raster::samples::Samples;
 use crate::raster::setup::PixelRect;
 use crate::wide::{Simd, f32x16, i32x16, mask32x16};
 
@@ -13,20 +15,36 @@ pub(crate) struct TileView {
     pub(crate) side: i32,
     /// Blocks from one row to the next, borders included.
     pub(crate) stride: usize,
+    /// Blocks of the tile with its border: a plane of one sample of each pixel.
+    pub(crate) plane_blocks: usize,
+    pub(crate) samples: Samples,
 }
 
 impl TileView {
-    pub(crate) fn new(column: u32, row: u32, log2: u32) -> Self {
+    pub(crate) fn new(column: u32, row: u32, log2: u32, samples: Samples) -> Self {
         let side = 1 << log2;
-        Self { x: column as i32 * side, y: row as i32 * side, side, stride: side as usize / 4 + 2 }
+        let stride = side as usize / 4 + 2;
+        Self { x: column as i32 * side, y: row as i32 * side, side, stride, plane_blocks: stride * stride, samples }
     }
 
-    /// Blocks of a tile with its border.
+    /// Blocks of all samples.
     pub(crate) fn block_count(&self) -> usize {
-        self.stride * self.stride
+        self.plane_blocks * self.samples.count()
     }
 
-    /// The number of block (x, y), where (0, 0) is the tile's first and -1 is the border's.
+    /// The number of the first block of a sample's plane.
+    #[inline(always)]
+    pub(crate) fn plane(&self, sample: usize) -> usize {
+        sample * self.plane_blocks
+    }
+
+    /// The sample that a block is of.
+    #[inline(always)]
+    pub(crate) fn sample_of(&self, block: usize) -> usize {
+        block / self.plane_blocks
+    }
+
+    /// The number of block (x, y) in the plane of sample 0, where (0, 0) is the tile's first and -1 is the border's.
     #[inline(always)]
     pub(crate) fn block(&self, x: i32, y: i32) -> usize {
         (y + 1) as usize * self.stride + (x + 1) as usize
@@ -35,6 +53,7 @@ impl TileView {
     /// Whether a block belongs to the border, where nothing counts.
     #[inline(always)]
     pub(crate) fn is_border(&self, block: usize) -> bool {
+        let block = block % self.plane_blocks;
         let (x, y) = (block % self.stride, block / self.stride);
         x == 0 || y == 0 || x == self.stride - 1 || y == self.stride - 1
     }
@@ -42,8 +61,29 @@ impl TileView {
     /// The first pixel of a block.
     #[inline(always)]
     pub(crate) fn pixel_of(&self, block: usize) -> (i32, i32) {
+        let block = block % self.plane_blocks;
         let (x, y) = ((block % self.stride) as i32 - 1, (block / self.stride) as i32 - 1);
         (self.x + 4 * x, self.y + 4 * y)
+    }
+}
+
+/// Where the fragments of a block lie, in subpixels from its first pixel's centre.
+#[derive(Clone, Copy)]
+pub(crate) struct Positions<S: Simd> {
+    pub(crate) x: i32x16<S>,
+    pub(crate) y: i32x16<S>,
+}
+
+impl<S: Simd> Positions<S> {
+    /// Pixels' centres, or, if they are moved, by so much off them.
+    #[inline(always)]
+    pub(crate) fn new(s: S, lanes: &BlockLanes<S>, moved: Option<&[[i32; 16]; 2]>) -> Self {
+        let mut this = Self { x: lanes.column << SUBPIXEL_BITS, y: lanes.row << SUBPIXEL_BITS };
+        if let Some([x, y]) = moved {
+            this.x = this.x + i32x16::simd_from(s, *x);
+            this.y = this.y + i32x16::simd_from(s, *y);
+        }
+        this
     }
 }
 

@@ -65,6 +65,11 @@ methods! { i32x16, 16:
     max = |a, b| if a > b { a } else { b };
 }
 
+methods! { u32x16, 16:
+    /// The larger of the two.
+    max = |a, b| if a > b { a } else { b };
+}
+
 comparisons! { i32x16, 16, mask32x16, i32:
     simd_lt = <;
     simd_le = <=;

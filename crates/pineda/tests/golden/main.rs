@@ -5,7 +5,9 @@
 //! - `PINEDA_BLESS=1 cargo test -p pineda --test golden` writes them anew: look at every picture that changed first.
 //! - `PINEDA_PICTURES=1 cargo test -p pineda --test golden` writes the pictures, as PPM, to `target/tmp/golden`.
 
+mod conservative;
 mod looks;
+mod multisample;
 mod primitives;
 mod scenes;
 mod shapes;
@@ -73,23 +75,25 @@ impl Frame {
     fn drawn(scene: &Scene, settings: Settings) -> Self {
         let (width, height) = (scene.width, scene.height);
         let pixels = (width * height) as usize;
+        // All samples of everything but the picture, which holds their averages.
+        let samples = pixels * scene.samples.count();
         let mut frame = Self {
             width,
             bytes: vec![[0; 4]; if scene.format == Format::Float { 0 } else { pixels }],
             float: vec![[0.0; 4]; if scene.format == Format::Float { pixels } else { 0 }],
-            depth: vec![0.0; pixels],
-            stencil: vec![0; if scene.has_stencil() { pixels } else { 0 }],
-            triangle_ids: vec![0; pixels],
-            instance_ids: vec![0; pixels],
-            draw_ids: vec![0; pixels],
-            barycentrics: vec![[0.0; 3]; pixels],
-            hits: vec![0; pixels],
+            depth: vec![0.0; samples],
+            stencil: vec![0; if scene.has_stencil() { samples } else { 0 }],
+            triangle_ids: vec![0; samples],
+            instance_ids: vec![0; samples],
+            draw_ids: vec![0; samples],
+            barycentrics: vec![[0.0; 3]; samples],
+            hits: vec![0; samples],
         };
         let mut pass = Pass::new();
         pass.clear_color = Some(scene.clear);
         pass.clear_depth = Some(scene.clear_depth);
         scene.layers.iter().for_each(|layer| layer.draw(&mut pass));
-        let (mut d16, mut d24) = (vec![0u16; pixels], vec![0u32; pixels]);
+        let (mut d16, mut d24) = (vec![0u16; samples], vec![0u32; samples]);
         let mut target = Target {
             color: match scene.format {
                 Format::Linear => ColorBuffer::Rgba8(&mut frame.bytes),
@@ -107,6 +111,7 @@ impl Frame {
             draw_ids: Some(&mut frame.draw_ids),
             barycentrics: Some(&mut frame.barycentrics),
             hits: Some(&mut frame.hits),
+            samples: scene.samples,
             ..Target::new(width, height)
         };
         let mut renderer = Renderer::new(settings).expect("an available level");
@@ -142,7 +147,9 @@ impl Frame {
     fn write_picture(&self, scene: &Scene) {
         let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("golden");
         std::fs::create_dir_all(&folder).expect("the target folder can be written to");
-        let mut file = format!("P6 {} {} 255\n", self.width, self.depth.len() / self.width as usize).into_bytes();
+        let mut file =
+            format!("P6 {} {} 255\n", self.width, self.bytes.len().max(self.float.len()) / self.width as usize)
+                .into_bytes();
         match scene.format {
             Format::Float => {
                 let code = |&x: &f32| (x.clamp(0.0, 1.0).powf(1.0 / 2.2) * 255.0).round() as u8;

@@ -1,6 +1,8 @@
 //! The golden scenes.
 
+use crate::conservative;
 use crate::looks::{BlinnPhong, CutOpen, Gouraud, Holes, Stripes};
+use crate::multisample;
 use crate::primitives::{self, Facets, Row, Sprite, Sprites};
 use crate::shapes::{Shape, ground, knot, rectangle, slivers, soup};
 use crate::strokes::{self, Dots};
@@ -25,6 +27,7 @@ pub(crate) struct Scene {
     pub(crate) clear_depth: f32,
     /// Of the depth buffer: 16, 24 or 32.
     pub(crate) depth_bits: u32,
+    pub(crate) samples: Samples,
     pub(crate) layers: Vec<Layer>,
 }
 
@@ -115,6 +118,29 @@ pub(crate) fn all() -> Vec<Scene> {
         scene("stencil_operations", stencil_operations()),
         scene("stencil_outline_and_shadow", stencil_outline()),
         Scene { clear: [0.0; 4], ..scene("blend_operations_and_color_masks", blend_operations()) },
+        small("samples_2", Samples::Two, multisample::pinwheel()),
+        small("samples_4", Samples::Four, multisample::pinwheel()),
+        small("samples_8", Samples::Eight, multisample::pinwheel()),
+        small("samples_16", Samples::Sixteen, multisample::pinwheel()),
+        small("where_fragments_are_shaded", Samples::Four, multisample::samplings()),
+        small("sample_masks_and_alpha_to_coverage", Samples::Eight, multisample::masks()),
+        Scene {
+            format: Format::Srgb,
+            samples: Samples::Four,
+            ..scene("lines_and_points_of_4_samples", multisample::strokes())
+        },
+        Scene {
+            format: Format::Srgb,
+            clear: [0.2, 0.3, 0.6, 1.0],
+            samples: Samples::Eight,
+            ..scene("clipped_discarded_and_blended_samples", multisampled_mix())
+        },
+        Scene { samples: Samples::Four, ..scene("stencil_of_4_samples", stencil_outline()) },
+        Scene {
+            width: conservative::SIZE[0],
+            height: conservative::SIZE[1],
+            ..scene("conservative", conservative::three_columns())
+        },
         Scene { format: Format::Srgb, ..scene("texture_filters", textures::filters()) },
         Scene { format: Format::Srgb, ..scene("texture_wraps", textures::wraps()) },
         Scene { format: Format::Srgb, ..scene("texture_kinds", textures::kinds()) },
@@ -133,8 +159,21 @@ fn scene(name: &'static str, layers: Vec<Layer>) -> Scene {
         clear,
         clear_depth: 1.0,
         depth_bits: 32,
+        samples: Samples::One,
         layers,
     }
+}
+
+/// A small picture, to be looked at enlarged.
+fn small(name: &'static str, samples: Samples, layers: Vec<Layer>) -> Scene {
+    Scene { width: 120, height: 90, format: Format::Srgb, samples, ..scene(name, layers) }
+}
+
+/// All ways in which fragments come to be shaded: clipped ones, those that are discarded, those that blend.
+fn multisampled_mix() -> Vec<Layer> {
+    let over = DrawState { blend: Blend::ALPHA, depth: DepthState { write: false, ..DepthState::default() }, ..RASTER };
+    let veil = gouraud(soup(6, 40, 25.0, SIZE), over);
+    near_plane().into_iter().chain(holes().into_iter().skip(1).take(1)).chain([veil]).collect()
 }
 
 fn gouraud(shape: Shape, state: DrawState) -> Layer {

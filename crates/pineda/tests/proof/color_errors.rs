@@ -143,5 +143,5 @@ fn there_are_eight_buffers_at_most_and_each_holds_one_element_a_pixel() {
     let mut target = Target { more_colors: vec![ColorBuffer::R16F(&mut short)], ..Target::new(2, 2) };
     let error = renderer.render(&Pass::new(), &mut target).expect_err("one element is missing");
     let buffer = "more_colors";
-    assert_eq!(error, Error::BufferLength { buffer, length: 3, expected: 4, width: 2, height: 2 });
+    assert_eq!(error, Error::BufferLength { buffer, length: 3, expected: 4, width: 2, height: 2, samples: 1 });
 }

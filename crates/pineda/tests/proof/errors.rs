@@ -75,7 +75,7 @@ fn buffers_hold_one_element_a_pixel() {
     ];
     for (buffer, mut target) in targets {
         let error = renderer().render(&Pass::new(), &mut target).expect_err("one element is missing");
-        assert_eq!(error, Error::BufferLength { buffer, length: 7, expected: 8, width: 4, height: 2 });
+        assert_eq!(error, Error::BufferLength { buffer, length: 7, expected: 8, width: 4, height: 2, samples: 1 });
         let message = format!("the target's {buffer} buffer holds 7 elements, but 4 x 2 pixels need 8");
         assert_eq!(error.to_string(), message);
     }
@@ -139,6 +139,23 @@ fn lists_are_not_restarted() {
     let state = DrawState { primitive_restart: true, ..DrawState::default() };
     let error = error_in(state, Indices::U8(&[0, 1, 2]), &CORNERS);
     assert_eq!(error, Error::RestartInList { draw: 1 });
+}
+
+#[test]
+fn only_filled_triangles_are_conservative() {
+    for conservative in [Conservative::Overestimate, Conservative::Underestimate] {
+        let state = DrawState { conservative, ..DrawState::default() };
+        let wrong = [
+            DrawState { topology: PrimitiveTopology::LineStrip, ..state },
+            DrawState { topology: PrimitiveTopology::PointList, ..state },
+            DrawState { polygon_mode: PolygonMode::Line, ..state },
+            DrawState { polygon_mode: PolygonMode::Point, ..state },
+        ];
+        for state in wrong {
+            let error = error_in(state, Indices::Sequential, &CORNERS);
+            assert_eq!(error, Error::ConservativeStrokes { draw: 1 });
+        }
+    }
 }
 
 #[test]

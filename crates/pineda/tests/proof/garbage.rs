@@ -47,6 +47,7 @@ fn garbage_is_drawn_without_a_panic() {
             depth: DepthState { compare: random.pick(&Compare::ALL), write: random.one_in(2) },
             blend: random.pick(&[Blend::OPAQUE, Blend::ALPHA, Blend::PREMULTIPLIED]),
             viewport,
+            conservative: random.pick(&[Conservative::Off, Conservative::Overestimate, Conservative::Underestimate]),
             ..DrawState::default()
         };
         let mut pass = Pass::new();

@@ -2,11 +2,13 @@
 
 mod clip_distances;
 mod color_errors;
+mod conservative;
 mod coverage;
 mod encodings;
 mod errors;
 mod fragments;
 mod garbage;
+mod multisample;
 mod occlusion;
 mod passes;
 mod primitives;

@@ -183,6 +183,27 @@ impl Picture {
     }
 }
 
+/// Floats all over: every 4099th, every 61st in release. (All 2^32 have been tried, once.)
+#[test]
+fn halves_are_the_nearest() {
+    let step = if cfg!(debug_assertions) { 4099 } else { 61 };
+    for bits in (0..=u32::MAX).step_by(step) {
+        let x = f32::from_bits(bits);
+        // How many steps from one half to the next it is away from 0: the rounding is the only one, for f64 holds the rest exactly.
+        let size = f64::from(x.abs());
+        let exponent = ((size.to_bits() >> 52) as i32 - 1023).max(-14);
+        let steps = (size * f64::from_bits(((1023 + 10 - exponent) as u64) << 52)).round_ties_even() as u32;
+        let wanted = match size {
+            _ if x.is_nan() => 0x7e00,
+            65_520.0.. => 0x7c00,
+            // A step more than 2047 is the first of the next exponent.
+            _ => ((exponent + 14) as u32 * 1024 + steps) as u16,
+        };
+        let sign = if x.is_sign_negative() && !x.is_nan() { 0x8000 } else { 0 };
+        assert_eq!(f32_to_f16(x), sign | wanted, "{x:?} {bits:08x}");
+    }
+}
+
 /// The bits of halves and of f32, all over and where it matters, as colours.
 #[test]
 fn values_at_the_borders_between_codes() {

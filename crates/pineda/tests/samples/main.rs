@@ -4,6 +4,7 @@ mod blending;
 mod common;
 mod depth;
 mod formats;
+mod layers;
 mod queries;
 mod stencil;
 mod targets;

@@ -33,12 +33,36 @@ fn samples_passed_are_those_that_passed() {
             assert!(counted == uncounted, "seed {seed}: counting changes nothing");
             let found: Vec<u64> = draws.iter().map(|draw| draw.samples_passed).collect();
             assert_eq!(found, wanted, "seed {seed}, {settings:?}");
-            // The others are the same at each level and with any number of threads; and with any tiles, but for two.
+            // The others are the same at each level and with any number of threads; and with any tiles, but for three.
             for draw in &mut draws {
                 assert!(draw.tiles <= 3 && draw.fragments_shaded <= PIXELS as u64);
-                (draw.tiles, draw.fragments_shaded) = (0, 0);
+                assert!(draw.samples_written <= draw.samples_passed);
+                (draw.tiles, draw.fragments_shaded, draw.samples_written) = (0, 0, 0);
             }
             assert_eq!(*reference.get_or_insert_with(|| draws.clone()), draws, "seed {seed}, {settings:?}");
+        }
+    }
+}
+
+/// Blocks of 4 x 4 pixels reach over the border of a picture that four does not divide: once, samples there were counted.
+#[test]
+fn samples_beyond_the_border_are_not_counted() {
+    let (width, height) = (37, 26);
+    for size in [30.0, 400.0] {
+        let vertices = [[20.5, 12.0], [20.5 + size, 12.0], [20.5, 12.0 + size]];
+        for depth in [DepthState::OFF, DepthState::default()] {
+            let mut pass = Pass::new();
+            let mesh = Mesh { vertices: &vertices, indices: Indices::Sequential };
+            let state = DrawState { depth, space: Space::Raster, ..DrawState::default() };
+            pass.draw_with(mesh, state, |&[x, y]: &[f32; 2]| (Vec4::from([x, y, 0.5, 1.0]), ()), |f| Rgba::gray(f.z()));
+            for settings in settings(0) {
+                let mut hits = vec![0; (width * height) as usize];
+                let mut target = Target { hits: Some(&mut hits), ..Target::new(width, height) };
+                let draws =
+                    Renderer::new(settings).expect("available").render_counted(&pass, &mut target).expect("valid");
+                let covered: u64 = hits.iter().map(|&hits| u64::from(hits)).sum();
+                assert_eq!(draws[0].samples_passed, covered, "{size} pixels, {depth:?}");
+            }
         }
     }
 }
@@ -57,10 +81,18 @@ fn fragments_shaded_are_those_that_must_be() {
     let mut color = vec![[0; 4]; PIXELS];
     for settings in settings(0) {
         let target = Target { color: ColorBuffer::Rgba8(&mut color), ..Target::new(WIDTH, HEIGHT) };
-        let draws = Renderer::new(settings).and_then(|mut r| r.render_counted(&pass, &mut { target })).expect("valid");
+        let draws =
+            Renderer::new(settings.clone()).and_then(|mut r| r.render_counted(&pass, &mut { target })).expect("valid");
         let all = PIXELS as u64;
         assert_eq!(draws.iter().map(|draw| draw.fragments_shaded).collect::<Vec<_>>(), [0, all, 0, all, 0]);
         assert_eq!(draws.iter().map(|draw| draw.samples_passed).collect::<Vec<_>>(), [all, all, 0, all, all]);
+        let written = |draws: &[DrawStatistics]| draws.iter().map(|draw| draw.samples_written).collect::<Vec<_>>();
+        assert_eq!(written(&draws), [0, all, 0, all, all]);
+        // Without a picture nothing is shaded, and depths are written all the same.
+        let target = Target::new(WIDTH, HEIGHT);
+        let draws = Renderer::new(settings).and_then(|mut r| r.render_counted(&pass, &mut { target })).expect("valid");
+        assert_eq!(written(&draws), [0, all, 0, all, all]);
+        assert!(draws.iter().all(|draw| draw.fragments_shaded == 0));
         assert!(draws.iter().all(|draw| draw.vertices_shaded == 3 * all && draw.triangles == all));
     }
 }
@@ -109,7 +141,7 @@ fn triangles_are_counted_by_what_becomes_of_them() {
             let mut renderer = Renderer::new(settings.clone()).expect("available");
             let found = renderer.render_counted(&pass, &mut Target::new(WIDTH, HEIGHT)).expect("valid")[1];
             (wanted.tiles, wanted.fragments_shaded) = (found.tiles, found.fragments_shaded);
-            wanted.samples_passed = found.samples_passed;
+            (wanted.samples_passed, wanted.samples_written) = (found.samples_passed, found.samples_written);
             assert_eq!(found, wanted, "seed {seed}, {settings:?}");
         }
     }
