@@ -24,7 +24,7 @@ impl<L: Lanes> Real<Dual<L>> {
         Real(self.0.value)
     }
 
-    /// By how much it grows from a pixel to its right-hand neighbour: the derivative at the pixel's centre. WGSL's `dpdxFine`, but exact.
+    /// By how much it grows from a pixel to its right-hand neighbour: the derivative where the fragment is shaded, most often the pixel's centre. WGSL's `dpdxFine`, but exact.
     #[inline(always)]
     pub fn dx(self) -> Real<L> {
         Real(self.0.dx)

@@ -24,7 +24,7 @@ pub struct Frag<L: Lanes, V, K> {
 /// The parts that a fragment is made of.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct FragParts<L: Lanes, V> {
-    /// The varyings at the pixel's centre.
+    /// The varyings where the fragment is shaded.
     pub(crate) varyings: V,
     /// How much the varyings change per pixel to the right; anything if the stage declares no derivatives.
     pub(crate) dx: V,
@@ -116,7 +116,7 @@ impl<L: Lanes, V: Copy, K> Frag<L, V, K> {
 }
 
 impl<L: Lanes, V: Copy, K: FragmentKind> Frag<L, V, K> {
-    /// How much each varying changes from a pixel to its right-hand neighbour: the derivative at the pixel's centre, by
+    /// How much each varying changes from a pixel to its right-hand neighbour: the derivative where the fragment is shaded, by
     /// extrapolating the triangle's plane, so that it is right at the border too. 0 for a `#[flat]` one.
     ///
     /// The shader must say that it wants derivatives; it is an error when it is compiled otherwise:

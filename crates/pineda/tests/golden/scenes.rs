@@ -146,6 +146,7 @@ pub(crate) fn all() -> Vec<Scene> {
         Scene { format: Format::Srgb, ..scene("texture_kinds", textures::kinds()) },
         Scene { format: Format::Srgb, ..scene("texture_levels", textures::levels()) },
         Scene { format: Format::Srgb, ..scene("texture_checks", textures::checks()) },
+        Scene { format: Format::Srgb, samples: Samples::Four, ..scene("textures_of_4_samples", textures::samples()) },
     ]
 }
 

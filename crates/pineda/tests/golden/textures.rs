@@ -2,7 +2,7 @@
 
 use crate::looks::Vertex;
 use crate::scenes::{Layer, Look, RASTER};
-use crate::shapes::Shape;
+use crate::shapes::{Shape, soup};
 use pineda::*;
 use std::sync::LazyLock;
 
@@ -204,4 +204,59 @@ pub(crate) fn checks() -> Vec<Layer> {
         floor([3.0, 154.0], Show::Checks, Sampler::TRILINEAR),
         floor([160.0, 154.0], Show::Checks, Sampler::ANISOTROPIC),
     ]
+}
+
+/// Triangles with texels of all sizes, w at random: at the lowest sample that they cover, at pixels' centres, and once a sample. Above as they are, below added to each other.
+pub(crate) fn samples() -> Vec<Layer> {
+    let mut layers = Vec::new();
+    for (column, sampling) in [Sampling::Centroid, Sampling::Center, Sampling::Sample].into_iter().enumerate() {
+        for (row, blend) in [Blend::OPAQUE, Blend::ADD].into_iter().enumerate() {
+            let mut shape = soup(43, 14, 30.0, [94.0, 90.0]);
+            for (k, vertex) in shape.vertices.iter_mut().enumerate() {
+                vertex.position[0] += 5.0 + 103.0 * column as f32;
+                vertex.position[1] += 4.0 + 101.0 * row as f32;
+                let size = [1.0, 3.0, 12.0, 0.3][k / 3 % 4];
+                vertex.color = vertex.color.map(|c| c * size);
+            }
+            let sampler = [Sampler::TRILINEAR, Sampler::ANISOTROPIC][column % 2];
+            let look = Textured { camera: Mat4::IDENTITY, show: Show::Letters, sampler };
+            let depth = if row == 0 { DepthState::default() } else { DepthState::OFF };
+            let state = DrawState { sampling, blend, depth, ..RASTER };
+            layers.push(Layer { shape, look: Look::Textured(look), state });
+        }
+    }
+    layers
+}
+
+/// All samples of that scene shaded by sample, the raster moved so that a place of a pixel, in 1/16, lies where its centre was.
+fn shaded_by_sample(samples: Samples, [x, y]: [u8; 2], settings: Settings) -> Vec<[u32; 4]> {
+    let mut layers = self::samples();
+    for layer in &mut layers {
+        layer.state.sampling = Sampling::Sample;
+        for vertex in &mut layer.shape.vertices {
+            // Exact in subpixels, moved or not.
+            vertex.position[0] = (vertex.position[0] * 256.0).round() / 256.0 - (f32::from(x) - 8.0) / 16.0;
+            vertex.position[1] = (vertex.position[1] * 256.0).round() / 256.0 - (f32::from(y) - 8.0) / 16.0;
+        }
+    }
+    let mut pass = Pass::new();
+    layers.iter().for_each(|layer| layer.draw(&mut pass));
+    let mut pixels = vec![[0.0; 4]; 317 * 203 * samples.count()];
+    let mut target = Target { samples, color: ColorBuffer::Rgba32F(&mut pixels), ..Target::new(317, 203) };
+    Renderer::new(settings).expect("an available level").render(&pass, &mut target).expect("a valid scene");
+    pixels.into_iter().map(|pixel| pixel.map(f32::to_bits)).collect()
+}
+
+/// Opaque or blended, with levels of detail from derivatives: a sample is looked up as the centre of a pixel that lies there is.
+#[test]
+fn textured_samples_are_as_many_pictures_of_the_moved_scene() {
+    let settings = |threads, tile| Settings { threads, tile, ..Settings::default() };
+    for samples in [Samples::Two, Samples::Eight] {
+        let all = shaded_by_sample(samples, [8, 8], settings(2, TileSize::T16));
+        for (picture, &position) in all.chunks(317 * 203).zip(samples.positions()) {
+            let moved = shaded_by_sample(Samples::One, position, settings(1, TileSize::T64));
+            let different = picture.iter().zip(&moved).position(|(a, b)| a != b);
+            assert_eq!(different, None, "{samples:?} at {position:?}");
+        }
+    }
 }
