@@ -1,4 +1,4 @@
-//! The project's own commands: `cargo xtask test`, `prove`, `asm`, `compare`, `conformance`.
+//! The project's own commands: `cargo xtask test`, `prove`, `ulp`, `asm`, `compare`, `conformance`.
 //!
 //! They are programs rather than shell scripts so that they run wherever Rust does.
 
@@ -28,6 +28,9 @@ enum Task {
     /// Judges random cases by the exact oracle: --cases N, --seed S, --threads T
     #[command(disable_help_flag = true)]
     Prove(Forwarded),
+    /// Compares shaders' functions with the true values, for every float (docs/math.md): --only NAME, --pairs N, --stride N
+    #[command(disable_help_flag = true)]
+    Ulp(Forwarded),
     /// Checks the kernels' machine code: no calls to lane operations, no scalar leftovers
     Asm,
     /// Draws the same scenes with pineda, lavapipe, SwiftShader and euc, and compares times and pictures
@@ -49,6 +52,7 @@ fn main() -> ExitCode {
     let result = match Arguments::parse().task {
         Task::Test { only } => test::test(only.as_deref()),
         Task::Prove(Forwarded { arguments }) => run::prove(&arguments),
+        Task::Ulp(Forwarded { arguments }) => run::ulp(&arguments),
         Task::Asm => asm::asm(),
         Task::Compare(Forwarded { arguments }) => run::compare(&arguments),
         Task::Conformance(Forwarded { arguments }) => run::conformance(&arguments),

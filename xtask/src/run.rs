@@ -30,8 +30,18 @@ pub(crate) fn run(command: &mut Command) -> Result<(), String> {
 
 /// `cargo xtask prove`.
 pub(crate) fn prove(arguments: &[String]) -> Result<(), String> {
+    proof("prove", arguments)
+}
+
+/// `cargo xtask ulp`.
+pub(crate) fn ulp(arguments: &[String]) -> Result<(), String> {
+    proof("ulp", arguments)
+}
+
+/// A program of the crate that proves.
+fn proof(program: &str, arguments: &[String]) -> Result<(), String> {
     run(cargo()
-        .args(["run", "--quiet", "--release", "--package", "pineda-proof", "--bin", "prove", "--"])
+        .args(["run", "--quiet", "--release", "--package", "pineda-proof", "--bin", program, "--"])
         .args(arguments))
 }
 

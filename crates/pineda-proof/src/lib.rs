@@ -9,6 +9,7 @@
 //! | `conservative.rs` | are those pixels covered that a triangle touches, or covers whole? |
 //! | `numbers.rs` | are barycentric coordinates, depth and varyings within their bounds of the exact ones? |
 //! | `judge.rs` | all of it for one case: what `prove` runs a hundred million times |
+//! | `ulp.rs` | how near do shaders' functions come to the true values? What `cargo xtask ulp` asks of every float |
 //!
 //! ```
 //! use pineda_proof::Judge;
@@ -26,6 +27,7 @@ mod judge;
 mod numbers;
 mod probe;
 mod settings;
+pub mod ulp;
 
 pub use drawing::{Drawing, draw_case, draw_case_with_samples};
 pub use judge::{Judge, Tally};

@@ -82,6 +82,11 @@
 //!
 //! Examples with their pictures are in the repository's `docs/examples.md`.
 //!
+//! # What shaders compute with
+//!
+//! Numbers in lanes ([`Real`], [`Int`], [`Uint`]), vectors ([`Vec3`]), matrices ([`Mat3`]), with the functions of shading languages: powers, angles, sRGB, [`noise`]. Their bits are the same
+//! everywhere, too; most of the functions are right to 0.51 units of the last place, none is off by more than 1.5.
+//!
 //! # What cannot happen
 //!
 //! No mesh, number or setting makes it panic; what is wrong is an [`Error`] before anything is drawn. A triangle, line or point with a NaN or infinite position is dropped
@@ -125,7 +130,8 @@ pub use texture::{
 };
 
 pub use lanes::{Dual, DualF, Lanes, Packet, Scalar};
-pub use math::{Bool, Int, Mat4, Real, Rgba, RgbaI, RgbaU, Select, Splat, ToLanes, Uint, Vec2, Vec3, Vec4};
+pub use math::noise;
+pub use math::{Bool, Int, Mat2, Mat3, Mat4, Real, Rgba, RgbaI, RgbaU, Select, Splat, ToLanes, Uint, Vec2, Vec3, Vec4};
 pub use pineda_macros::{Varyings, shader};
 #[doc(hidden)]
 pub use shading::{__Layout, __Row4, __inlined};

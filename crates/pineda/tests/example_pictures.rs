@@ -22,6 +22,9 @@ mod order_dependent_transparency;
 #[path = "../examples/post_process.rs"]
 #[allow(dead_code, unreachable_pub, reason = "an example's main and file writing are not run here")]
 mod post_process;
+#[path = "../examples/procedural.rs"]
+#[allow(dead_code, unreachable_pub, reason = "an example's main and file writing are not run here")]
+mod procedural;
 #[path = "../examples/shadow_map.rs"]
 #[allow(dead_code, unreachable_pub, reason = "an example's main and file writing are not run here")]
 mod shadow_map;
@@ -68,7 +71,7 @@ fn stencil_outline_picture() {
 
 #[test]
 fn deferred_picture() {
-    check(deferred::draw, 0xab27_c42f_9243_fb8a);
+    check(deferred::draw, 0x8aa7_3f56_2e5d_ec12);
 }
 
 #[test]
@@ -128,4 +131,9 @@ fn gallery_of_features() {
     gallery::check("sorted_transparency", &sorted_transparency::draw(Settings::default()).expect("it draws"));
     gallery::check("stencil_outline", &stencil_outline::draw(Settings::default()).expect("it draws"));
     gallery::check("visibility_buffer", &visibility_buffer::draw(Settings::default()).expect("it draws"));
+}
+
+#[test]
+fn procedural_picture() {
+    check(procedural::draw, 0xba97_b258_73ae_8fd6);
 }

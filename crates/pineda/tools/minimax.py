@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
-"""The polynomials of src/math: minimax fits by Remez's exchange, with coefficients that are exact f32.
+"""The polynomials of src/math: minimax fits by Remez's exchange.
 
 For each function below it prints the coefficients, lowest order first, and the fit's largest error, relative to the
-function's value, before and after the coefficients are rounded to f32. Nothing but Python's standard library.
+function's value: for those that are computed in f32 before and after the coefficients are rounded. Nothing but
+Python's standard library.
 """
 
 from fractions import Fraction
-from math import cos, exp, expm1, log1p, pi, sin, log, sqrt
+from math import asin, atan, cos, exp, expm1, log1p, pi, sin, log, sqrt
 import struct
 
 
@@ -66,6 +67,18 @@ def fit(name, target, weight, low, high, terms):
         print(f"    P{p} = {c!r}")
 
 
+def fit_f64(name, target, low, high, terms):
+    exact, worst = remez(target, lambda x: 1 / target(x), low, high, range(terms))
+    print(f"{name}: largest relative error 2^{log(worst) / log(2):.2f}")
+    for p, c in enumerate(exact):
+        print(f"    P{p} = {c!r}")
+
+
+def of_root(f, below, near_zero):
+    """f(sqrt z) / sqrt z, or its series below a bound, where f in f64 would lose digits."""
+    return lambda z: f(sqrt(z)) / sqrt(z) if z > below else sum(c * z**p for p, c in enumerate(near_zero))
+
+
 def divided(f, at_zero):
     """f(x) / x, with the limit at 0."""
     return lambda x: f(x) / x if abs(x) > 1e-12 else at_zero
@@ -77,18 +90,22 @@ def series(f, near_zero, below):
 
 
 if __name__ == "__main__":
-    ln2, quarter = log(2.0), (pi / 4) ** 2
+    ln2 = log(2.0)
     low, high = sqrt(0.5) - 1, sqrt(2) - 1
-    log2 = divided(lambda x: log1p(x) / ln2, 1 / ln2)
     ln = series(lambda x: (log1p(x) / x - 1 + x / 2) / x**2, [1 / 3, -1 / 4, 1 / 5, -1 / 6, 1 / 7, -1 / 8, 1 / 9, -1 / 10], 1e-2)
-    sine = series(lambda z: (sin(sqrt(z)) / sqrt(z) - 1) / z, [-1 / 6, 1 / 120, -1 / 5040], 1e-3)
-    cosine = series(lambda z: (cos(sqrt(z)) - 1 + z / 2) / z**2, [1 / 24, -1 / 720, 1 / 40320, -1 / 3628800], 1e-2)
     fit("2^x = 1 + x P(x), |x| <= 1/2", divided(lambda x: expm1(x * ln2), ln2), lambda x: abs(x) / 2**x + 1e-9, -0.5, 0.5, 6)
     e = series(lambda x: (expm1(x) - x) / x**2, [1 / 2, 1 / 6, 1 / 24, 1 / 120], 1e-3)
     fit("e^x = 1 + x + x^2 P(x), |x| <= ln 2 / 2", e, lambda x: x * x / exp(x) + 1e-9, -ln2 / 2, ln2 / 2, 5)
-    for n in (8, 9, 10):
-        fit(f"log2(1 + x) = x + x P(x), 1 + x from sqrt(1/2) to sqrt 2", lambda x: log2(x) - 1, lambda x: 1 / log2(x), low, high, n)
     for n in (7, 8, 9):
-        fit(f"ln(1 + x) = x - x^2/2 + x^3 P(x), 1 + x from sqrt(1/2) to sqrt 2", ln, lambda x: x * x / log2(x) / ln2 + 1e-9, low, high, n)
-    fit("sin x = x + x^3 P(x^2), |x| <= pi / 4", sine, lambda z: z + 1e-9, 0.0, quarter, 3)
-    fit("cos x = 1 - x^2/2 + x^4 P(x^2), |x| <= pi / 4", cosine, lambda z: z * z / cos(sqrt(z)) + 1e-9, 0.0, quarter, 3)
+        fit(f"ln(1 + x) = x - x^2/2 + x^3 P(x), 1 + x from sqrt(1/2) to sqrt 2", ln, lambda x: x**3 / log1p(x) + 1e-9 if abs(x) > 1e-6 else 1e-9, low, high, n)
+
+    print("\nIn f64:")
+    area_tangent = of_root(lambda s: (log1p(s) - log1p(-s)) / ln2, 1e-4, [2 / ln2, 2 / 3 / ln2, 2 / 5 / ln2, 2 / 7 / ln2])
+    fit_f64("log2((1 + s) / (1 - s)) = s P(s^2), from sqrt(1/2) to sqrt 2", area_tangent, 0.0, 0.02944, 5)
+    fit_f64("2^x = P(x), |x| <= 1/2", lambda x: 2.0**x, -0.5, 0.5, 8)
+    # Angles may be a hundredth beyond an eighth of a turn; here three of them.
+    eighth = (1.03 * pi / 4) ** 2
+    fit_f64("sin x = x P(x^2), |x| <= 1.03 pi / 4", of_root(sin, 1e-6, [1, -1 / 6, 1 / 120]), 0.0, eighth, 5)
+    fit_f64("cos x = P(x^2), |x| <= 1.03 pi / 4", lambda z: cos(sqrt(z)), 0.0, eighth, 5)
+    fit_f64("atan x = x P(x^2), |x| <= tan(pi / 8)", of_root(atan, 1e-6, [1, -1 / 3, 1 / 5]), 0.0, 0.17159, 7)
+    fit_f64("asin x = x P(x^2), |x| <= 1/2", of_root(asin, 1e-6, [1, 1 / 6, 3 / 40]), 0.0, 0.25, 8)

@@ -236,6 +236,23 @@ fn float_operations_have_the_same_bits_at_every_level() {
 }
 
 #[test]
+fn doubles_have_the_same_bits_at_every_level() {
+    conformance! {
+        &pairs();
+        float narrow<L>(lanes, a, b) = L::narrow(L::widen(a));
+        float dadd<L>(lanes, a, b) = L::narrow(L::dadd(L::widen(a), L::widen(b)));
+        float dsub<L>(lanes, a, b) = L::narrow(L::dsub(L::widen(a), L::widen(b)));
+        float dmul<L>(lanes, a, b) = L::narrow(L::dmul(L::widen(a), L::widen(b)));
+        float ddiv<L>(lanes, a, b) = L::narrow(L::ddiv(L::widen(a), L::widen(b)));
+        float dsqrt<L>(lanes, a, b) = L::narrow(L::dsqrt(L::widen(a)));
+        float low_digits<L>(lanes, a, b) = {
+            let quotient = L::ddiv(L::widen(a), L::dadd(L::widen(b), lanes.double(0.1)));
+            L::narrow(L::dsub(quotient, L::widen(L::narrow(quotient))))
+        };
+    }
+}
+
+#[test]
 fn operations_on_bits_keep_those_of_nan_too() {
     conformance! {
         &pairs();

@@ -69,6 +69,8 @@ impl<L: Lanes> Lanes for Dual<L> {
     type F = DualF<L>;
     type M = L::M;
     type I = L::I;
+    /// Without derivatives: functions that go this way end with `chain`, too.
+    type D = L::D;
 
     const N: usize = L::N;
 
@@ -79,6 +81,10 @@ impl<L: Lanes> Lanes for Dual<L> {
     #[inline(always)]
     fn of_mask(m: L::M) -> Self {
         Self(L::of_mask(m))
+    }
+    #[inline(always)]
+    fn of_double(a: L::D) -> Self {
+        Self(L::of_double(a))
     }
     #[inline(always)]
     fn apart<R>(self, f: impl FnOnce() -> R) -> R {
@@ -150,6 +156,39 @@ impl<L: Lanes> Lanes for Dual<L> {
     #[inline(always)]
     fn floor(a: DualF<L>) -> DualF<L> {
         DualF::constant(L::floor(a.value))
+    }
+
+    #[inline(always)]
+    fn double(self, x: f64) -> L::D {
+        self.0.double(x)
+    }
+    #[inline(always)]
+    fn widen(a: DualF<L>) -> L::D {
+        L::widen(a.value)
+    }
+    #[inline(always)]
+    fn narrow(a: L::D) -> DualF<L> {
+        DualF::constant(L::narrow(a))
+    }
+    #[inline(always)]
+    fn dadd(a: L::D, b: L::D) -> L::D {
+        L::dadd(a, b)
+    }
+    #[inline(always)]
+    fn dsub(a: L::D, b: L::D) -> L::D {
+        L::dsub(a, b)
+    }
+    #[inline(always)]
+    fn dmul(a: L::D, b: L::D) -> L::D {
+        L::dmul(a, b)
+    }
+    #[inline(always)]
+    fn ddiv(a: L::D, b: L::D) -> L::D {
+        L::ddiv(a, b)
+    }
+    #[inline(always)]
+    fn dsqrt(a: L::D) -> L::D {
+        L::dsqrt(a)
     }
 
     #[inline(always)]
@@ -274,6 +313,14 @@ impl<L: Lanes> Lanes for Dual<L> {
     #[inline(always)]
     fn chain(value: DualF<L>, x: DualF<L>, slope: DualF<L>) -> DualF<L> {
         DualF { value: value.value, dx: L::mul(slope.value, x.dx), dy: L::mul(slope.value, x.dy) }
+    }
+    #[inline(always)]
+    fn chain2(value: DualF<L>, [x, y]: [DualF<L>; 2], [by_x, by_y]: [DualF<L>; 2]) -> DualF<L> {
+        DualF {
+            value: value.value,
+            dx: L::add(L::mul(by_x.value, x.dx), L::mul(by_y.value, y.dx)),
+            dy: L::add(L::mul(by_x.value, x.dy), L::mul(by_y.value, y.dy)),
+        }
     }
 
     #[inline(always)]

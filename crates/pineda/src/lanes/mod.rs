@@ -55,6 +55,9 @@ pub trait Lanes: sealed::Sealed + Copy + Debug + Send + Sync + 'static {
     /// One `i32` per lane.
     type I: Copy + Debug + Send + Sync + 'static;
 
+    /// One `f64` per lane, for the inner steps of functions: twice the work of an `f32`.
+    type D: Copy + Debug + Send + Sync + 'static;
+
     /// The number of lanes: 1 or 16.
     const N: usize;
 
@@ -62,6 +65,8 @@ pub trait Lanes: sealed::Sealed + Copy + Debug + Send + Sync + 'static {
     fn of(a: Self::F) -> Self;
     /// The width that `m` was made at.
     fn of_mask(m: Self::M) -> Self;
+    /// The width that `a` was made at.
+    fn of_double(a: Self::D) -> Self;
 
     /// What the closure returns, from a function of its own that is compiled with the level's instructions: for what is too long to be inlined wherever it is used.
     fn apart<R>(self, f: impl FnOnce() -> R) -> R;
@@ -91,6 +96,23 @@ pub trait Lanes: sealed::Sealed + Copy + Debug + Send + Sync + 'static {
     fn sqrt(a: Self::F) -> Self::F;
     /// The largest whole number that is not above `a`; -0, infinities and NaN stay.
     fn floor(a: Self::F) -> Self::F;
+
+    /// `x` in every lane.
+    fn double(self, x: f64) -> Self::D;
+    /// The same numbers as `f64`.
+    fn widen(a: Self::F) -> Self::D;
+    /// The nearest `f32` of each lane, ties to even.
+    fn narrow(a: Self::D) -> Self::F;
+    /// `a + b`.
+    fn dadd(a: Self::D, b: Self::D) -> Self::D;
+    /// `a - b`.
+    fn dsub(a: Self::D, b: Self::D) -> Self::D;
+    /// `a * b`.
+    fn dmul(a: Self::D, b: Self::D) -> Self::D;
+    /// `a / b`, correctly rounded.
+    fn ddiv(a: Self::D, b: Self::D) -> Self::D;
+    /// The square root, correctly rounded; NaN below zero.
+    fn dsqrt(a: Self::D) -> Self::D;
 
     /// `a < b`; false where either is NaN.
     fn lt(a: Self::F, b: Self::F) -> Self::M;
@@ -159,6 +181,13 @@ pub trait Lanes: sealed::Sealed + Copy + Debug + Send + Sync + 'static {
     #[inline(always)]
     fn chain(value: Self::F, x: Self::F, slope: Self::F) -> Self::F {
         let _ = (x, slope);
+        value
+    }
+
+    /// The same of a function of two numbers.
+    #[inline(always)]
+    fn chain2(value: Self::F, x: [Self::F; 2], slopes: [Self::F; 2]) -> Self::F {
+        let _ = (x, slopes);
         value
     }
 

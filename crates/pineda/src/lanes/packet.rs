@@ -1,7 +1,7 @@
 //! Sixteen lanes at one SIMD level, by way of `fearless_simd`: the operations are those of [`crate::wide`].
 
 use super::{Lanes, sealed::Sealed};
-use crate::wide::{Simd, f32x16, i32x16, mask32x16, u32x16};
+use crate::wide::{Simd, f32x16, f64x16, i32x16, mask32x16, u32x16};
 
 /// Sixteen lanes, at the SIMD level that the token `S` stands for.
 ///
@@ -18,6 +18,7 @@ impl<S: Simd> Lanes for Packet<S> {
     type F = f32x16<S>;
     type M = mask32x16<S>;
     type I = i32x16<S>;
+    type D = f64x16<S>;
 
     const N: usize = 16;
 
@@ -28,6 +29,10 @@ impl<S: Simd> Lanes for Packet<S> {
     #[inline(always)]
     fn of_mask(m: mask32x16<S>) -> Self {
         Self(m.token())
+    }
+    #[inline(always)]
+    fn of_double(a: f64x16<S>) -> Self {
+        Self(a.token())
     }
 
     #[inline(always)]
@@ -83,6 +88,39 @@ impl<S: Simd> Lanes for Packet<S> {
     #[inline(always)]
     fn floor(a: f32x16<S>) -> f32x16<S> {
         a.floor()
+    }
+
+    #[inline(always)]
+    fn double(self, x: f64) -> f64x16<S> {
+        f64x16::splat(self.0, x)
+    }
+    #[inline(always)]
+    fn widen(a: f32x16<S>) -> f64x16<S> {
+        f64x16::from_f32(a)
+    }
+    #[inline(always)]
+    fn narrow(a: f64x16<S>) -> f32x16<S> {
+        a.narrow()
+    }
+    #[inline(always)]
+    fn dadd(a: f64x16<S>, b: f64x16<S>) -> f64x16<S> {
+        a + b
+    }
+    #[inline(always)]
+    fn dsub(a: f64x16<S>, b: f64x16<S>) -> f64x16<S> {
+        a - b
+    }
+    #[inline(always)]
+    fn dmul(a: f64x16<S>, b: f64x16<S>) -> f64x16<S> {
+        a * b
+    }
+    #[inline(always)]
+    fn ddiv(a: f64x16<S>, b: f64x16<S>) -> f64x16<S> {
+        a / b
+    }
+    #[inline(always)]
+    fn dsqrt(a: f64x16<S>) -> f64x16<S> {
+        a.sqrt()
     }
 
     #[inline(always)]

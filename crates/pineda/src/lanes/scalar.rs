@@ -15,6 +15,7 @@ impl Lanes for Scalar {
     type F = f32;
     type M = bool;
     type I = i32;
+    type D = f64;
 
     const N: usize = 1;
 
@@ -24,6 +25,10 @@ impl Lanes for Scalar {
     }
     #[inline(always)]
     fn of_mask(_: bool) -> Self {
+        Self
+    }
+    #[inline(always)]
+    fn of_double(_: f64) -> Self {
         Self
     }
 
@@ -80,6 +85,39 @@ impl Lanes for Scalar {
     #[inline(always)]
     fn floor(a: f32) -> f32 {
         a.floor()
+    }
+
+    #[inline(always)]
+    fn double(self, x: f64) -> f64 {
+        x
+    }
+    #[inline(always)]
+    fn widen(a: f32) -> f64 {
+        f64::from(a)
+    }
+    #[inline(always)]
+    fn narrow(a: f64) -> f32 {
+        a as f32
+    }
+    #[inline(always)]
+    fn dadd(a: f64, b: f64) -> f64 {
+        a + b
+    }
+    #[inline(always)]
+    fn dsub(a: f64, b: f64) -> f64 {
+        a - b
+    }
+    #[inline(always)]
+    fn dmul(a: f64, b: f64) -> f64 {
+        a * b
+    }
+    #[inline(always)]
+    fn ddiv(a: f64, b: f64) -> f64 {
+        a / b
+    }
+    #[inline(always)]
+    fn dsqrt(a: f64) -> f64 {
+        a.sqrt()
     }
 
     #[inline(always)]

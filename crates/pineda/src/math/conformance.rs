@@ -6,7 +6,7 @@
     reason = "these are values to try, written as they come"
 )]
 
-use super::{Bool, Mat4, Real, Vec3};
+use super::{Bool, Mat3, Mat4, Real, Vec3};
 use crate::lanes::Lanes;
 use crate::lanes::conformance::{SPECIAL, conformance, pairs};
 
@@ -20,6 +20,12 @@ fn simple_functions_have_the_same_bits_at_every_level() {
         float sign<L>(lanes, a, b) = Real::<L>(a).sign().0;
         float ceil<L>(lanes, a, b) = Real::<L>(a).ceil().0;
         float fract<L>(lanes, a, b) = Real::<L>(a).fract().0;
+        float round<L>(lanes, a, b) = Real::<L>(a).round().0;
+        float round_ties_even<L>(lanes, a, b) = Real::<L>(a).round_ties_even().0;
+        float trunc<L>(lanes, a, b) = Real::<L>(a).trunc().0;
+        float modulo<L>(lanes, a, b) = Real::<L>(a).modulo(Real(b)).0;
+        float copysign<L>(lanes, a, b) = Real::<L>(a).copysign(Real(b)).0;
+        mask is_finite<L>(lanes, a, b) = Real::<L>(a).is_finite().0;
         float mix<L>(lanes, a, b) = Real::<L>(a).mix(Real(b), 0.3).0;
         float step<L>(lanes, a, b) = Real::<L>(a).step(Real(b)).0;
         float smoothstep<L>(lanes, a, b) = Real::<L>(a).smoothstep(-1.0, Real(b)).0;
@@ -46,6 +52,13 @@ fn polynomials_have_the_same_bits_at_every_level() {
         float log2<L>(lanes, a, b) = Real::<L>(a).log2().0;
         float log<L>(lanes, a, b) = Real::<L>(a).log().0;
         float inverse_sqrt<L>(lanes, a, b) = Real::<L>(a).inverse_sqrt().0;
+        float tan<L>(lanes, a, b) = Real::<L>(a).tan().0;
+        float asin<L>(lanes, a, b) = Real::<L>(a).asin().0;
+        float acos<L>(lanes, a, b) = Real::<L>(a).acos().0;
+        float atan<L>(lanes, a, b) = Real::<L>(a).atan().0;
+        float cbrt<L>(lanes, a, b) = Real::<L>(a).cbrt().0;
+        float linear_to_srgb<L>(lanes, a, b) = Real::<L>(a).linear_to_srgb().0;
+        float srgb_to_linear<L>(lanes, a, b) = Real::<L>(a).srgb_to_linear().0;
         float sin<L>(lanes, a, b) = Real::<L>(a).sin().0;
         float cos<L>(lanes, a, b) = Real::<L>(a).cos().0;
         float sin_2_pi<L>(lanes, a, b) = (Real::<L>(a).fract() * 6.28).sin().0;
@@ -53,9 +66,10 @@ fn polynomials_have_the_same_bits_at_every_level() {
 }
 
 #[test]
-fn powers_have_the_same_bits_at_every_level() {
+fn powers_and_angles_have_the_same_bits_at_every_level() {
     conformance! {
         &pairs();
+        float atan2<L>(lanes, a, b) = Real::<L>(a).atan2(Real(b)).0;
         float powf<L>(lanes, a, b) = Real::<L>(a).powf(Real(b)).0;
         float powf_of_abs<L>(lanes, a, b) = Real::<L>(a).abs().powf(Real(b)).0;
         float powf_64<L>(lanes, a, b) = Real::<L>(a).fract().powf(64.0).0;
@@ -75,6 +89,8 @@ fn vectors_have_the_same_bits_at_every_level() {
         float reflect<L>(lanes, a, b) = vector::<L>(a, b).reflect([0.6, 0.0, 0.8]).dot([1.0, 10.0, 100.0]).0;
         float mix<L>(lanes, a, b) = vector::<L>(a, b).mix([1.0, 2.0, 3.0], Real(a)).dot([1.0, 10.0, 100.0]).0;
         float clamp<L>(lanes, a, b) = vector::<L>(a, b).clamp(-2.0, [3.0, 4.0, 5.0]).dot([1.0, 10.0, 100.0]).0;
+        float refract<L>(lanes, a, b) = vector::<L>(a, b).refract([0.6, 0.0, 0.8], 0.7).dot([1.0, 10.0, 100.0]).0;
+        float small_matrix<L>(lanes, a, b) = Mat3::new(vector::<L>(a, b), vector(b, a), vector(b, b)).inverse().determinant().0;
         float matrix<L>(lanes, a, b) = (Mat4::rotation_x(1.0) * vector::<L>(a, b).extend(1.0)).dot([1.0, 2.0, 3.0, 4.0]).0;
     }
 }

@@ -10,6 +10,12 @@ impl<L: Lanes> Real<L> {
         Self(L::chain(self.0, x.0, slope.0))
     }
 
+    /// The same of two numbers.
+    #[inline(always)]
+    pub(crate) fn with_slopes(self, [x, y]: [Self; 2], [by_x, by_y]: [Self; 2]) -> Self {
+        Self(L::chain2(self.0, [x.0, y.0], [by_x.0, by_y.0]))
+    }
+
     /// This value, with these derivatives.
     #[inline(always)]
     pub fn with_derivatives(self, dx: Self, dy: Self) -> Real<Dual<L>> {
@@ -155,17 +161,30 @@ mod tests {
         x, 0.1..3.0 => x.inverse_sqrt(), 1.0 / x.sqrt();
         x, -3.0..-0.01 => x.abs(), x.abs();
         x, 0.01..0.99 => x.fract(), x;
+        x, 0.01..0.99 => x.modulo(0.3) + x.round_ties_even() + x.round() + x.trunc(), x;
+        x, -3.0..3.0 => x.copysign(-1.0) + x.copysign(x), x - x.abs();
         x, 0.1..0.9 => x.smoothstep(0.0, 1.0), x * x * (3.0 - 2.0 * x);
         x, 0.6..2.0 => x.max(0.5).min(3.0), x;
         x, -3.0..3.0 => x.mix(2.0, 0.25), 0.75 * x + 0.5;
         x, 0.1..3.0 => x.powi(5), x.powi(5);
         x, 0.1..3.0 => x.powf(2.4), x.powf(2.4);
+        x, 0.1..3.0 => (x * 0.5).powf(x), (x * 0.5).powf(x);
+        x, 0.1..3.0 => x.cbrt() - (-x).cbrt(), 2.0 * x.cbrt();
         x, -3.0..3.0 => x.exp(), x.exp();
         x, -3.0..3.0 => x.exp2(), x.exp2();
         x, 0.1..3.0 => x.log(), x.ln();
         x, 0.1..3.0 => x.log2(), x.log2();
         x, -3.0..3.0 => x.sin(), x.sin();
         x, -3.0..3.0 => x.cos(), x.cos();
+        x, -1.5..1.5 => x.tan(), x.tan();
+        x, -0.99..0.99 => x.asin(), x.asin();
+        x, -0.99..0.99 => x.acos(), x.acos();
+        x, -3.0..3.0 => x.atan(), x.atan();
+        x, -3.0..3.0 => (x * x + 0.1).atan2(x - 0.5), (x * x + 0.1).atan2(x - 0.5);
+        x, 0.0..0.003 => x.linear_to_srgb(), 12.92 * x;
+        x, 0.004..2.0 => x.linear_to_srgb(), 1.055 * x.powf(1.0 / 2.4) - 0.055;
+        x, 0.0..0.04 => x.srgb_to_linear(), x / 12.92;
+        x, 0.05..2.0 => x.srgb_to_linear(), ((x + 0.055) / 1.055).powf(2.4);
     }
 
     #[test]

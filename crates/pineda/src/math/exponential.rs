@@ -1,4 +1,4 @@
-//! Exponentials, logarithms and powers, from polynomials of our own.
+//! Exponentials, the natural logarithm and the inverse square root, from polynomials of our own.
 //!
 //! The standard library's functions differ in their last bits from platform to platform, and have no lanes. These use
 //! additions, multiplications, comparisons and integer operations only, in a fixed order, so all lanes of all levels on
@@ -8,13 +8,9 @@
 //! Results that would be subnormal (below 2^-126 = 1.2e-38) are 0 here: they are invisible, and slow on some processors.
 //! Subnormal arguments are taken for what they are. `math/accuracy.rs` tests what each function states.
 
-#![expect(
-    clippy::excessive_precision,
-    clippy::approx_constant,
-    reason = "coefficients are written with the digits that their derivation gave"
-)]
+#![expect(clippy::excessive_precision, reason = "coefficients are written with the digits that their derivation gave")]
 
-use super::{Real, ToLanes};
+use super::Real;
 use crate::lanes::Lanes;
 use core::f32::consts::{LN_2, LOG2_E};
 
@@ -23,7 +19,6 @@ macro_rules! horner {
     ($x:expr; $c:expr) => { $c };
     ($x:expr; $c:expr, $($rest:expr),+) => { $c + $x * horner!($x; $($rest),+) };
 }
-pub(super) use horner;
 
 /// Added to a number below 2^22, it pushes the fraction off the mantissa's end: the sum is rounded to a whole number,
 /// ties to even, which sits in the low bits. Subtracted again, it leaves that whole number.
@@ -34,15 +29,30 @@ const LN_2_HIGH: f32 = 0.693_359_375;
 const LN_2_LOW: f32 = -2.121_944_4e-4;
 
 impl<L: Lanes> Real<L> {
-    /// 2 to the power of `self`, to 1.5 ULP, and exact for whole numbers. 0 below -126, infinity from 128 on.
+    /// 2 to the power of `self`, to 0.8 ULP, and exact for whole numbers. 0 below -126, infinity from 128 on.
     #[inline(always)]
     pub fn exp2(self) -> Self {
         let shifted = self + ROUND;
-        let x = self - (shifted - ROUND);
-        let power = 1.0
-            + x * horner!(x; 0.693_147_18, 0.240_226_48, 0.055_503_324, 0.009_618_437, 0.001_339_887_4, 0.000_153_533_56);
+        let power = (self - (shifted - ROUND)).exp2_of_fraction();
         let power = self.in_range(-126.0, 128.0, power.times_power_of_two(shifted));
         power.with_slope(self, power * LN_2)
+    }
+
+    /// 2 to the power of `self`, which must be within 1/2 of 0.
+    ///
+    /// 1 + x ln 2 is the bulk of it. Its product is exact, for both factors have twelve bits, and what its sum loses joins the smaller terms
+    /// (Dekker 1971, "A floating-point technique for extending the available precision").
+    #[inline(always)]
+    pub(super) fn exp2_of_fraction(self) -> Self {
+        const TWELVE_BITS: i32 = 0xffff_f000_u32.cast_signed();
+        let high = Self(L::bits_f(L::iand(L::f_bits(self.0), self.lanes().int(TWELVE_BITS))));
+        let low = self - high;
+        let bulk = high * LN_2_HIGH;
+        let sum = 1.0 + bulk;
+        let lost = (1.0 - sum) + bulk;
+        let small = self
+            * horner!(self; LN_2_LOW, 0.240_226_48, 0.055_503_324, 0.009_618_437, 0.001_339_887_4, 0.000_153_533_56);
+        sum + (lost + (low * LN_2_HIGH + small))
     }
 
     /// e to the power of `self`, to 1 ULP. 0 below -87.33654, infinity above 88.72283.
@@ -55,18 +65,6 @@ impl<L: Lanes> Real<L> {
             1.0 + (x + x * x * horner!(x; 0.499_999_94, 0.166_665_21, 0.041_668_39, 0.008_368_71, 0.001_381_462_2));
         let power = self.in_range(-87.336_54, 88.722_84, power.times_power_of_two(shifted));
         power.with_slope(self, power)
-    }
-
-    /// The logarithm to base 2, to 1.5 ULP, and exact for powers of two. -infinity of 0 (and -0), NaN below 0.
-    #[inline(always)]
-    pub fn log2(self) -> Self {
-        let (exponent, x) = self.split();
-        let p = horner!(
-            x; 0.442_695_05, -0.721_347_33, 0.480_898_23, -0.360_696_64, 0.288_567_4, -0.239_617_39, 0.204_600_66,
-            -0.191_062_87, 0.186_174_84, -0.109_949_186
-        );
-        // log2(1 + x) is about 1.44 x: with 1 x apart, p and its rounding count for a third of the result only.
-        self.logarithm_in_range(exponent + (x + x * p)).with_slope(self, LOG2_E / self)
     }
 
     /// The natural logarithm, to 1 ULP. -infinity of 0 (and -0), NaN below 0.
@@ -82,15 +80,10 @@ impl<L: Lanes> Real<L> {
         self.logarithm_in_range((x + tail) + exponent * LN_2_HIGH).with_slope(self, 1.0 / self)
     }
 
-    /// `self` to the power of `n`: `(n * self.log2()).exp2()`, so to 1.5 (1 + |n log2(self)|) ULP: 0.9 to the power of 64 is
-    /// right to a millionth of its value. For a whole `n` that is known beforehand, [`powi`](Self::powi) is quicker.
-    ///
-    /// 1 where `n` is 0, whatever `self`; otherwise 0 to a positive power is 0 and to a negative one infinity, infinity
-    /// the other way round, and a negative number gives NaN (use [`powi`](Self::powi)). 1 to an infinite power is NaN.
+    /// [`log`](Self::log) by its mathematical name.
     #[inline(always)]
-    pub fn powf(self, n: impl ToLanes<L, Self>) -> Self {
-        let n = n.to_lanes(self.lanes());
-        n.eq(0.0).select(1.0, (n * self.log2()).exp2())
+    pub fn ln(self) -> Self {
+        self.log()
     }
 
     /// 1 over the square root, to 1.5 ULP, in a fifth of the time that the square root and the division take. Infinity of 0 and of what is subnormal, 0 of
@@ -120,14 +113,14 @@ impl<L: Lanes> Real<L> {
     /// `self`, which must be from 1/2 to 2, times 2 to the power of the whole number in the low bits of `shifted`, which
     /// is [`ROUND`] plus that number. Junk where the product is not a normal number.
     #[inline(always)]
-    fn times_power_of_two(self, shifted: Self) -> Self {
+    pub(super) fn times_power_of_two(self, shifted: Self) -> Self {
         // Adding to the exponent field multiplies. The shift leaves nothing of the bits of `ROUND`.
         Self(L::bits_f(L::iadd(L::f_bits(self.0), L::ishl(L::f_bits(shifted.0), 23))))
     }
 
     /// `value` where `self` is from `low` on and below `high`; 0 below, infinity above, NaN for NaN.
     #[inline(always)]
-    fn in_range(self, low: f32, high: f32, value: Self) -> Self {
+    pub(super) fn in_range(self, low: f32, high: f32, value: Self) -> Self {
         // NaN is not below `high`, and stays NaN when infinity is added.
         let not_above = self.lt(high).select(value, self + f32::INFINITY);
         self.lt(low).select(0.0, not_above)
@@ -135,7 +128,7 @@ impl<L: Lanes> Real<L> {
 
     /// `self` = 2^exponent (1 + x) with 1 + x from √½ to √2; junk unless `self` is positive and finite.
     #[inline(always)]
-    fn split(self) -> (Self, Self) {
+    pub(super) fn split(self) -> (Self, Self) {
         /// The bits of √½: subtracted, they make the exponent field step there instead of at 1.
         const SQRT_HALF: i32 = 0x3f35_04f3;
         const EXPONENT_FIELD: i32 = 0xff80_0000_u32.cast_signed();
@@ -151,7 +144,7 @@ impl<L: Lanes> Real<L> {
 
     /// `value` where `self` is positive and finite, and a logarithm's other values elsewhere.
     #[inline(always)]
-    fn logarithm_in_range(self, value: Self) -> Self {
+    pub(super) fn logarithm_in_range(self, value: Self) -> Self {
         let below_infinity = self.lt(f32::INFINITY).select(value, self);
         self.le(0.0).select(self.lt(0.0).select(f32::NAN, f32::NEG_INFINITY), below_infinity)
     }

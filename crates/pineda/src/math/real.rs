@@ -64,6 +64,12 @@ impl<L: Lanes> Real<L> {
         self.max(low).min(high)
     }
 
+    /// `self` clamped to 0 and 1: 0 of NaN.
+    #[inline(always)]
+    pub fn saturate(self) -> Self {
+        self.clamp(0.0, 1.0)
+    }
+
     /// `|self|`.
     #[inline(always)]
     pub fn abs(self) -> Self {
@@ -78,6 +84,12 @@ impl<L: Lanes> Real<L> {
         // NaN is neither above nor below zero, nor equal to it: it falls through to itself.
         let not_negative = L::select(L::lt(zero, self.0), one, L::select(L::eq(self.0, zero), zero, self.0));
         Self(L::select(L::lt(self.0, zero), minus_one, not_negative))
+    }
+
+    /// `|self|` with the sign of `b`, of which -0 and NaN have one, too: Rust's `copysign`.
+    #[inline(always)]
+    pub fn copysign(self, b: impl ToLanes<L, Self>) -> Self {
+        self.abs().times_sign_of(b.to_lanes(self.lanes()))
     }
 
     /// The square root, correctly rounded; NaN below 0.
@@ -98,10 +110,62 @@ impl<L: Lanes> Real<L> {
         Self(L::neg(L::floor(L::neg(self.0))))
     }
 
+    /// The nearest whole number, halves away from 0, as Rust's `round`.
+    #[inline(always)]
+    pub fn round(self) -> Self {
+        // What is left of a truncated number is exact, so a half is seen as one.
+        let whole = self.trunc();
+        let rest = (self - whole).abs();
+        whole + rest.ge(0.5).select(1.0, 0.0).copysign(self)
+    }
+
+    /// The nearest whole number, halves to the even one: WGSL's `round`, GLSL's `roundEven`.
+    #[inline(always)]
+    pub fn round_ties_even(self) -> Self {
+        /// From here on every float is whole; below, a sum with it has no room for a fraction.
+        const WHOLE: f32 = 8_388_608.0; // 2^23
+        let size = self.abs();
+        // The sign last: choosing between `self` and what has its sign, LLVM 22 makes one AVX-512 instruction of both, and a wrong one.
+        let whole = size.lt(WHOLE).select((size + WHOLE) - WHOLE, size).copysign(self);
+        whole.with_slope(self, Self::new(self.lanes(), 0.0))
+    }
+
+    /// `self` without its fraction: the next whole number towards 0.
+    #[inline(always)]
+    pub fn trunc(self) -> Self {
+        self.abs().floor().copysign(self)
+    }
+
     /// `self - self.floor()`: from 0 up to 1 (which tiny negative numbers round to); NaN of an infinity.
     #[inline(always)]
     pub fn fract(self) -> Self {
         self - self.floor()
+    }
+
+    /// `self - b * (self / b).floor()`, GLSL's `mod`: for a positive `b` from 0 up to `b`, also where `self` is negative (up to rounding).
+    #[inline(always)]
+    pub fn modulo(self, b: impl ToLanes<L, Self>) -> Self {
+        let b = b.to_lanes(self.lanes());
+        self - b * (self / b).floor()
+    }
+
+    /// `self` degrees in radians.
+    #[inline(always)]
+    pub fn to_radians(self) -> Self {
+        self * (core::f32::consts::PI / 180.0)
+    }
+
+    /// `self` radians in degrees.
+    #[inline(always)]
+    pub fn to_degrees(self) -> Self {
+        const DEGREES: f32 = 57.295_78; // 180 / π
+        self * DEGREES
+    }
+
+    /// `1 / self`, correctly rounded.
+    #[inline(always)]
+    pub fn recip(self) -> Self {
+        1.0 / self
     }
 
     /// `self * self`.
@@ -161,6 +225,24 @@ impl<L: Lanes> Real<L> {
         let (low, high) = (low.to_lanes(lanes), high.to_lanes(lanes));
         let t = ((self - low) / (high - low)).clamp(0.0, 1.0);
         t * t * (3.0 - 2.0 * t)
+    }
+
+    /// Whether it is NaN.
+    #[inline(always)]
+    pub fn is_nan(self) -> Bool<L> {
+        self.ne(self)
+    }
+
+    /// Whether it is infinity or -infinity.
+    #[inline(always)]
+    pub fn is_infinite(self) -> Bool<L> {
+        self.abs().eq(f32::INFINITY)
+    }
+
+    /// Whether it is neither infinite nor NaN.
+    #[inline(always)]
+    pub fn is_finite(self) -> Bool<L> {
+        self.abs().lt(f32::INFINITY)
     }
 
     /// `self < b`; no where either is NaN.

@@ -262,6 +262,35 @@ macro_rules! geometry {
                 let normal = normal.to_lanes(self.lanes());
                 self - normal * (2.0 * self.dot(normal))
             }
+
+            /// This direction, of length 1, bent where it enters a surface with the unit normal `normal` (which points against it): GLSL's
+            /// `refract`. `eta` is the refractive index that it comes from over the one that it goes to. Zero where all light is reflected.
+            ///
+            /// ```
+            /// # use pineda::*;
+            /// let down = Vec2::from([0.6, -0.8]);
+            /// assert_eq!(down.refract([0.0, 1.0], 1.0), down);
+            /// assert_eq!(Vec2::from([0.8, -0.6]).refract([0.0, 1.0], 1.5), Vec2::from([0.0, 0.0]));
+            /// ```
+            #[inline(always)]
+            pub fn refract(self, normal: impl ToLanes<L, Self>, eta: impl ToLanes<L, Real<L>>) -> Self {
+                let lanes = self.lanes();
+                let (normal, eta) = (normal.to_lanes(lanes), eta.to_lanes(lanes));
+                let cosine = self.dot(normal);
+                let squared = 1.0 - eta * eta * (1.0 - cosine * cosine);
+                let bent = self * eta - normal * (eta * cosine + squared.max(0.0).sqrt());
+                let is_reflected = squared.lt(0.0);
+                Self { $first: is_reflected.select(0.0, bent.$first), $($rest: is_reflected.select(0.0, bent.$rest)),+ }
+            }
+
+            /// This normal, turned to the side that the direction `incident` comes from, as `reference` has it: `self` where
+            /// `reference . incident < 0`, `-self` elsewhere; GLSL's `faceforward`.
+            #[inline(always)]
+            pub fn faceforward(self, incident: impl ToLanes<L, Self>, reference: impl ToLanes<L, Self>) -> Self {
+                let lanes = self.lanes();
+                let faces = reference.to_lanes(lanes).dot(incident.to_lanes(lanes)).lt(0.0);
+                Self { $first: faces.select(self.$first, -self.$first), $($rest: faces.select(self.$rest, -self.$rest)),+ }
+            }
         }
     };
 }
@@ -277,6 +306,13 @@ impl<L: Lanes> Vec2<L> {
         Self { x, y }
     }
 
+    /// The z component of the cross product: twice the area of the triangle with these two sides, positive where `b` lies to the left.
+    #[inline(always)]
+    pub fn cross(self, b: impl ToLanes<L, Self>) -> Real<L> {
+        let b = b.to_lanes(self.lanes());
+        self.x * b.y - self.y * b.x
+    }
+
     /// (x, y, `z`).
     #[inline(always)]
     pub fn extend(self, z: impl ToLanes<L, Real<L>>) -> Vec3<L> {
@@ -289,12 +325,6 @@ impl<L: Lanes> Vec3<L> {
     #[inline(always)]
     pub fn new(x: Real<L>, y: Real<L>, z: Real<L>) -> Self {
         Self { x, y, z }
-    }
-
-    /// (x, y).
-    #[inline(always)]
-    pub fn xy(self) -> Vec2<L> {
-        Vec2 { x: self.x, y: self.y }
     }
 
     /// (x, y, z, `w`): with `w = 1` a point, ready for a matrix.
@@ -316,17 +346,5 @@ impl<L: Lanes> Vec4<L> {
     #[inline(always)]
     pub fn new(x: Real<L>, y: Real<L>, z: Real<L>, w: Real<L>) -> Self {
         Self { x, y, z, w }
-    }
-
-    /// (x, y, z).
-    #[inline(always)]
-    pub fn xyz(self) -> Vec3<L> {
-        Vec3 { x: self.x, y: self.y, z: self.z }
-    }
-
-    /// (x, y).
-    #[inline(always)]
-    pub fn xy(self) -> Vec2<L> {
-        Vec2 { x: self.x, y: self.y }
     }
 }

@@ -12,8 +12,8 @@ use super::{Compare, Conservative, DepthState, DrawState, Indices, Pass, Scissor
 use crate::Target;
 use crate::geometry::project::Projection;
 use crate::raster::corners::Corners;
+use crate::raster::reach::PixelRect;
 use crate::raster::samples::Samples;
-use crate::raster::setup::PixelRect;
 use crate::raster::stroke::{Stroke, StrokeShape};
 use crate::raster::triangle_id::MAX_BATCH_TRIANGLES;
 use crate::shading::run::Source;

@@ -145,6 +145,34 @@ impl Share {
     }
 }
 
+/// The stretches of a tile's bin that belong to one segment each.
+pub(crate) struct Stretches<'a> {
+    share: &'a Share,
+    rest: &'a [BinEntry],
+}
+
+impl<'a> Stretches<'a> {
+    pub(crate) fn new(share: &'a Share, bin: &'a [BinEntry]) -> Self {
+        Self { share, rest: bin }
+    }
+}
+
+impl<'a> Iterator for Stretches<'a> {
+    type Item = (usize, &'a [BinEntry]);
+
+    fn next(&mut self) -> Option<Self::Item> {
+        let &first = self.rest.first()?;
+        let next = self.share.segments.partition_point(|start| start.is_before(first));
+        let length = match self.share.segments.get(next) {
+            Some(start) => self.rest.partition_point(|&entry| !start.is_before(entry)),
+            None => self.rest.len(),
+        };
+        let (stretch, rest) = self.rest.split_at(length);
+        self.rest = rest;
+        Some((self.share.segments[next - 1].segment, stretch))
+    }
+}
+
 /// Enters a record into every tile of its box.
 #[inline(always)]
 pub(crate) fn bin(bins: &mut [Vec<BinEntry>], grid: &TileGrid, tiles: SampleBox, entry: BinEntry) {

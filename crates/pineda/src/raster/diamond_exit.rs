@@ -21,7 +21,7 @@
 //! | extents | +-2^24 | |
 //! | where it passes a centre, times the extent | 2^23 2^24 + 2^24 2^24 < 2^49 | |
 
-use super::setup::PixelRect;
+use super::reach::PixelRect;
 use crate::geometry::raster_space::{GUARD_BAND, HALF_PIXEL, SUBPIXEL_BITS, SUBPIXELS};
 
 /// Calls `cover` with the column and row of each pixel in `rect` that the line from a to b, in subpixels, covers.

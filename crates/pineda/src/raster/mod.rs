@@ -1,11 +1,15 @@
 //! Triangles, lines and points: from points of the raster to records in the bins of tiles.
 
 pub(crate) mod bins;
+mod canonical_order;
 pub(crate) mod conservative;
 pub(crate) mod corners;
 pub(crate) mod depth_bias;
 pub(crate) mod diamond_exit;
+mod edge;
 pub(crate) mod groups;
+mod make_records;
+pub(crate) mod reach;
 pub(crate) mod record;
 pub(crate) mod rows;
 pub(crate) mod samples;

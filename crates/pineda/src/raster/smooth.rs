@@ -4,7 +4,7 @@
 //! pixel it covers is the area of the pixel's square, cut by the rectangle's four edges (Sutherland and Hodgman 1974), in f64: from exact corners, within
 //! some units in the last place of the exact area; and then rounded to f32.
 
-use super::setup::PixelRect;
+use super::reach::PixelRect;
 use crate::geometry::raster_space::{SUBPIXEL_BITS, SUBPIXELS};
 
 /// The corners of a rectangle, clockwise on the picture, in subpixels.

@@ -218,6 +218,7 @@ mod outputs;
 mod shader;
 mod stage;
 mod varyings;
+pub(crate) mod visible_packets;
 
 mod barycentric;
 mod blend;

@@ -10,6 +10,7 @@ use super::packet::{BATCH, PacketBatch};
 use super::run::RunView;
 use super::single::{Single, begins_with_many, fill};
 use super::stencil::Tests;
+use super::visible_packets::VisiblePacket;
 use super::{__Row4 as Row4, OutputKind};
 use crate::pass::draw_call::DrawCall;
 use crate::pass::{Blend, ColorMask, ColorState, DrawStatistics};
@@ -19,18 +20,6 @@ use crate::tile::Tile;
 use crate::tile::view::TileView;
 use crate::wide::{Simd, f32x16, i32x16, mask32x16, u32x16};
 use fearless_simd::Level;
-
-/// The samples of a block that show triangles of one draw.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct VisiblePacket {
-    /// The run that these triangles belong to.
-    pub(crate) run: u32,
-    pub(crate) block: u32,
-    pub(crate) mask: u32,
-    /// The block's first pixel.
-    pub(crate) x: i32,
-    pub(crate) y: i32,
-}
 
 /// The samples of a block that one triangle covers, for a draw that blends or discards.
 #[derive(Clone, Copy, Debug)]

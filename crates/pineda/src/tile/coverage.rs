@@ -6,7 +6,7 @@ use super::sink::Sink;
 use super::small::small;
 use super::view::{BlockLanes, TileView};
 use crate::raster::bins::{BinEntry, Kind, Share};
-use crate::raster::setup::PixelRect;
+use crate::raster::reach::PixelRect;
 use crate::wide::Simd;
 
 /// Hands the covered samples of the records that `entries` name to the sink. `rect` is given where the draw's viewport does not reach

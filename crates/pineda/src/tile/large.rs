@@ -7,8 +7,8 @@
 use super::sink::{DepthRange, Sink, Window};
 use super::view::{BlockLanes, TileView};
 use crate::geometry::raster_space::{HALF_PIXEL, SUBPIXEL_BITS, SUBPIXELS};
+use crate::raster::reach::PixelRect;
 use crate::raster::record::{DepthPlane, LargeTriangle, SampleBox};
-use crate::raster::setup::PixelRect;
 use crate::wide::{Simd, f32x16, i32x16, mask32x16};
 
 /// The side of a window in blocks, and in samples.

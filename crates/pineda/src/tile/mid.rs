@@ -8,8 +8,8 @@ use super::large::blocks_within;
 use super::sink::Sink;
 use super::view::{BlockLanes, TileView};
 use crate::geometry::raster_space::SUBPIXELS;
+use crate::raster::reach::PixelRect;
 use crate::raster::record::{DepthPlane, MidTriangle, SampleBox};
-use crate::raster::setup::PixelRect;
 use crate::wide::{Simd, f32x16, i32x16, mask32x16, u32x16};
 
 /// The worklist is flushed when it holds more blocks than this.

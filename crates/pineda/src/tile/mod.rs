@@ -5,6 +5,7 @@
 //! sample has such a plane of blocks, one behind the other.
 
 pub(crate) mod coverage;
+mod in_order;
 pub(crate) mod large;
 pub(crate) mod mid;
 pub(crate) mod outputs;

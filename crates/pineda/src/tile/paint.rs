@@ -1,30 +1,31 @@
 //! One tile from its bins to the target: visibility, shading, ordered draws, copying out.
 
 use super::coverage::cover;
+use super::in_order::InOrder;
 use super::queue::TileQueue;
-use super::sink::{AnyTest, DepthTest, HitCounter, Sink, Usual, Visibility};
+use super::sink::{AnyTest, DepthTest, HitCounter, Usual, Visibility};
 use super::view::TileView;
 use super::{Tile, outputs};
 use crate::pass::draw_call::DrawCall;
 use crate::pass::kept::KeptTiles;
 use crate::pass::plan::{Batch, Segment, SegmentKind};
 use crate::pass::{Compare, DrawStatistics, Sampling};
-use crate::raster::bins::{BinEntry, Share, TileGrid};
+use crate::raster::bins::{BinEntry, Share, Stretches, TileGrid};
+use crate::raster::reach::PixelRect;
 use crate::raster::samples::Samples;
-use crate::raster::setup::PixelRect;
-use crate::raster::triangle_id::{ORDER_BITS, TriangleId};
 use crate::shading::cached::TriangleCache;
 use crate::shading::multisample::{shade_samples_in_order, shade_visible_samples};
 use crate::shading::packet::PacketBatch;
 use crate::shading::run::RunView;
 use crate::shading::sample_packets::{SamplePacket, collect_visible as collect_visible_samples};
-use crate::shading::shade::{OrderedPacket, Shading, VisiblePacket, shade_in_order, shade_visible};
+use crate::shading::shade::{OrderedPacket, Shading, shade_in_order, shade_visible};
 use crate::shading::single::Single;
+use crate::shading::visible_packets::{VisiblePacket, collect_visible};
 use crate::target::MAX_COLORS;
 use crate::target::bands::Bands;
 use crate::target::depth::DepthFormat;
 use crate::target::format::{ColorFormat, TileColor};
-use crate::wide::{Simd, dispatch, f32x16, mask32x16, u32x16};
+use crate::wide::{Simd, dispatch};
 use fearless_simd::Level;
 
 /// A batch that is ready to be painted, and what it is painted on.
@@ -103,9 +104,6 @@ pub(crate) struct Painter {
     /// What was counted of each draw, if it is asked for.
     pub(crate) draws: Vec<DrawStatistics>,
 }
-
-/// Ordered packets are shaded when there are this many: few enough that the nearest cache holds them beside a tile's colours and depths.
-const ORDERED_PACKETS: usize = 64;
 
 impl Painter {
     pub(crate) fn new() -> Self {
@@ -277,14 +275,15 @@ impl Painter {
         if !painting.samples.is_one() {
             return self.shade_visible_samples(painting, view);
         }
-        self.visible.clear();
-        let (tile, visible) = (&self.tile, &mut self.visible);
-        dispatch!(painting.level, s => collect_visible(s, painting.batch, tile, view, visible));
+        let mut visible = std::mem::take(&mut self.visible);
+        visible.clear();
+        let tile = &self.tile;
+        dispatch!(painting.level, s => collect_visible(s, painting.batch, tile, view, &mut visible));
         if painting.batch.runs.len() > 1 {
             // Stable: within a run, blocks stay in the order in which they lie.
-            self.visible.sort_by_key(|packet| packet.run);
+            visible.sort_by_key(|packet| packet.run);
         }
-        for packets in self.visible.chunk_by(|a, b| a.run == b.run) {
+        for packets in visible.chunk_by(|a, b| a.run == b.run) {
             let run = packets[0].run as usize;
             if let Some(draw) = painting.batch.segments[painting.batch.runs[run].segment].draw {
                 let samples = packets.iter().map(|packet| u64::from(packet.mask.count_ones())).sum::<u64>();
@@ -295,21 +294,10 @@ impl Painter {
             if !has_color {
                 continue;
             }
-            let mut shading = Shading {
-                level: painting.level,
-                call: &*painting.draws[painting.batch.runs[run].draw],
-                run: &painting.runs[run],
-                view,
-                tile: &mut self.tile,
-                color: &mut self.color,
-                more_colors: &mut self.more_colors,
-                batch: &mut self.batch,
-                cache: &mut self.cache,
-                single: &mut self.single,
-                counted: None,
-            };
+            let mut shading = self.shading(painting, view, run, None);
             dispatch!(painting.level, s => shade_visible(s, &mut shading, packets));
         }
+        self.visible = visible;
     }
 
     /// The same where pixels have several samples.
@@ -338,22 +326,33 @@ impl Painter {
             if !painting.wants.any_color() {
                 continue;
             }
-            let mut shading = Shading {
-                level: painting.level,
-                call: &*painting.draws[run.draw],
-                run: &painting.runs[packets[0].run as usize],
-                view,
-                tile: &mut self.tile,
-                color: &mut self.color,
-                more_colors: &mut self.more_colors,
-                batch: &mut self.batch,
-                cache: &mut self.cache,
-                single: &mut self.single,
-                counted: None,
-            };
+            let mut shading = self.shading(painting, view, packets[0].run as usize, None);
             dispatch!(painting.level, s => shade_visible_samples(s, &mut shading, packets, segment.depth));
         }
         self.visible_samples = visible;
+    }
+
+    /// What the shading of a run's packets works on.
+    fn shading<'a>(
+        &'a mut self,
+        painting: &'a Painting<'_>,
+        view: &'a TileView,
+        run: usize,
+        counted: Option<&'a mut DrawStatistics>,
+    ) -> Shading<'a> {
+        Shading {
+            level: painting.level,
+            call: &*painting.draws[painting.batch.runs[run].draw],
+            run: &painting.runs[run],
+            view,
+            tile: &mut self.tile,
+            color: &mut self.color,
+            more_colors: &mut self.more_colors,
+            batch: &mut self.batch,
+            cache: &mut self.cache,
+            single: &mut self.single,
+            counted,
+        }
     }
 
     /// Keeps the tile until the next flush.
@@ -421,24 +420,13 @@ impl Painter {
         let mut counted = segment.draw.map(|_| DrawStatistics::default());
         let is_plain = painting.samples.is_one() && !call.state().alpha_to_coverage;
         self.single.forget();
+        let mut packets = std::mem::take(&mut self.ordered);
         let mut sink = InOrder {
             test,
-            packets: &mut self.ordered,
+            packets: &mut packets,
             is_plain,
             flush: &mut |packets: &mut [OrderedPacket]| {
-                let mut shading = Shading {
-                    level: painting.level,
-                    call,
-                    run: &painting.runs[run],
-                    view,
-                    tile: &mut self.tile,
-                    color: &mut self.color,
-                    more_colors: &mut self.more_colors,
-                    batch: &mut self.batch,
-                    cache: &mut self.cache,
-                    single: &mut self.single,
-                    counted: counted.as_mut(),
-                };
+                let mut shading = self.shading(painting, view, run, counted.as_mut());
                 if is_plain {
                     dispatch!(painting.level, s => shade_in_order(s, &mut shading, packets));
                 } else {
@@ -448,7 +436,7 @@ impl Painter {
         };
         dispatch!(painting.level, s => cover(s, share, entries, view, segment.rect.as_ref(), &mut work, &mut sink));
         sink.finish();
-        self.tile.worklist = work;
+        (self.tile.worklist, self.ordered) = (work, packets);
         if let (Some(counted), Some(draw)) = (counted, segment.draw) {
             self.counts(draw).add(&counted);
         }
@@ -488,100 +476,4 @@ fn draws_entry(draws: &mut Vec<DrawStatistics>, draw: usize) -> &mut DrawStatist
         draws.resize(draw + 1, DrawStatistics::default());
     }
     &mut draws[draw]
-}
-
-/// The blocks with something visible, and of which run; a block that shows several runs comes several times.
-#[inline(always)]
-fn collect_visible<S: Simd>(s: S, batch: &Batch<'_>, tile: &Tile, view: &TileView, out: &mut Vec<VisiblePacket>) {
-    let blocks = view.side / 4;
-    let mut by = 0;
-    while by < blocks {
-        let mut bx = 0;
-        while bx < blocks {
-            let block = view.block(bx, by);
-            let ids = u32x16::simd_from(s, tile.id[block]);
-            let mut rest = ids.simd_gt(0).to_bitmask() as u32;
-            while rest != 0 {
-                let mut run = 0;
-                let mut mask = rest;
-                if batch.runs.len() > 1 {
-                    let id = TriangleId(tile.id[block][rest.trailing_zeros() as usize & 15]);
-                    run = batch.run_of(id.number());
-                    let last = batch.runs[run].first_number + batch.runs[run].triangles;
-                    let first = TriangleId::first(batch.runs[run].first_number);
-                    mask &= (ids.simd_ge(first) & ids.simd_lt(TriangleId::first(last))).to_bitmask() as u32;
-                }
-                let (x, y) = (view.x + 4 * bx, view.y + 4 * by);
-                out.push(VisiblePacket { run: run as u32, block: block as u32, mask, x, y });
-                rest &= !mask;
-            }
-            bx += 1;
-        }
-        by += 1;
-    }
-}
-
-/// The stretches of a tile's bin that belong to one segment each.
-struct Stretches<'a> {
-    share: &'a Share,
-    rest: &'a [BinEntry],
-}
-
-impl<'a> Stretches<'a> {
-    fn new(share: &'a Share, bin: &'a [BinEntry]) -> Self {
-        Self { share, rest: bin }
-    }
-}
-
-impl<'a> Iterator for Stretches<'a> {
-    type Item = (usize, &'a [BinEntry]);
-
-    fn next(&mut self) -> Option<Self::Item> {
-        let &first = self.rest.first()?;
-        let next = self.share.segments.partition_point(|start| start.is_before(first));
-        let length = match self.share.segments.get(next) {
-            Some(start) => self.rest.partition_point(|&entry| !start.is_before(entry)),
-            None => self.rest.len(),
-        };
-        let (stretch, rest) = self.rest.split_at(length);
-        self.rest = rest;
-        Some((self.share.segments[next - 1].segment, stretch))
-    }
-}
-
-/// Collects covered blocks in order, and has them shaded when there are enough.
-struct InOrder<'a, F: FnMut(&mut [OrderedPacket])> {
-    test: AnyTest,
-    /// Whether a triangle's packets may be shaded in parts.
-    is_plain: bool,
-    packets: &'a mut Vec<OrderedPacket>,
-    flush: &'a mut F,
-}
-
-impl<F: FnMut(&mut [OrderedPacket])> InOrder<'_, F> {
-    /// Whether what is there can be shaded before the next triangle comes.
-    #[inline(always)]
-    fn can_shade_before(&self, id: u32) -> bool {
-        self.is_plain || self.packets.last().is_none_or(|last| last.id >> ORDER_BITS != id >> ORDER_BITS)
-    }
-
-    #[inline(never)]
-    fn finish(&mut self) {
-        (self.flush)(self.packets);
-        self.packets.clear();
-    }
-}
-
-impl<S: Simd, F: FnMut(&mut [OrderedPacket])> Sink<S> for InOrder<'_, F> {
-    #[inline(always)]
-    fn samples(&mut self, s: S, block: usize, inside: mask32x16<S>, z: f32x16<S>, id: u32) {
-        let mask = inside.to_bitmask() as u32;
-        if mask != 0 {
-            if self.packets.len() >= ORDERED_PACKETS && self.can_shade_before(id) {
-                self.finish();
-            }
-            let depth = self.test.depths(s, z).into();
-            self.packets.push(OrderedPacket { depth, id, block: block as u32, mask });
-        }
-    }
 }

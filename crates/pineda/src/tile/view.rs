@@ -1,8 +1,8 @@
 //! Where a tile lies, and how its blocks are numbered.
 
 use crate::geometry::raster_space::SUBPIXEL_BITS;
+use crate::raster::reach::PixelRect;
 use crate::raster::samples::Samples;
-use crate::raster::setup::PixelRect;
 use crate::wide::{Simd, f32x16, i32x16, mask32x16};
 
 /// A tile's place in the picture and the shape of its buffers.

@@ -75,6 +75,64 @@ functions! { f32x16, 16:
 functions! { f64x8, 8:
     /// The absolute value.
     abs;
+    /// The square root, correctly rounded.
+    sqrt;
+}
+
+/// Sixteen `f64`: one for each lane of a packet.
+#[expect(non_camel_case_types, reason = "named as a number is")]
+#[derive(Clone, Copy, Debug)]
+pub struct f64x16<S: Simd> {
+    low: f64x8<S>,
+    high: f64x8<S>,
+}
+
+macro_rules! halves {
+    ($($trait:ident::$method:ident)+) => {$(
+        impl<S: Simd> core::ops::$trait for f64x16<S> {
+            type Output = Self;
+            #[inline(always)]
+            fn $method(self, other: Self) -> Self {
+                Self { low: self.low.$method(other.low), high: self.high.$method(other.high) }
+            }
+        }
+    )+};
+}
+
+halves! { Add::add Sub::sub Mul::mul Div::div }
+
+impl<S: Simd> f64x16<S> {
+    /// The permission to use the level's instructions.
+    #[inline(always)]
+    pub(crate) fn token(self) -> S {
+        self.low.token()
+    }
+
+    /// The value in every lane.
+    #[inline(always)]
+    pub(crate) fn splat(simd: S, value: f64) -> Self {
+        let half = f64x8::splat(simd, value);
+        Self { low: half, high: half }
+    }
+
+    /// The square root, correctly rounded.
+    #[inline(always)]
+    pub(crate) fn sqrt(self) -> Self {
+        Self { low: self.low.sqrt(), high: self.high.sqrt() }
+    }
+
+    /// The nearest `f32` of each lane, ties to even.
+    #[inline(always)]
+    pub(crate) fn narrow(self) -> f32x16<S> {
+        self.low.narrow(self.high)
+    }
+
+    /// The same numbers.
+    #[inline(always)]
+    pub(crate) fn from_f32(lanes: f32x16<S>) -> Self {
+        let (low, high) = lanes.widen();
+        Self { low, high }
+    }
 }
 
 impl<S: Simd> f32x16<S> {

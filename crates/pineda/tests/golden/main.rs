@@ -6,6 +6,7 @@
 //! - `PINEDA_PICTURES=1 cargo test -p pineda --test golden` writes the pictures, as PPM, to `target/tmp/golden`.
 
 mod conservative;
+mod functions;
 mod looks;
 mod multisample;
 mod primitives;

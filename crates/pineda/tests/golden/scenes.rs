@@ -1,6 +1,7 @@
 //! The golden scenes.
 
 use crate::conservative;
+use crate::functions::{self, Functions};
 use crate::looks::{BlinnPhong, CutOpen, Gouraud, Holes, Stripes};
 use crate::multisample;
 use crate::primitives::{self, Facets, Row, Sprite, Sprites};
@@ -47,6 +48,7 @@ pub(crate) enum Look {
     Sprites(Vec<Sprite>),
     CutOpen(CutOpen),
     Dots,
+    Functions,
     Textured(Textured),
 }
 
@@ -68,6 +70,7 @@ impl Layer {
             Look::Facets(row) => pass.draw(&Facets, Mesh { indices: row.indices(), ..mesh }, self.state),
             Look::CutOpen(look) => pass.draw(look, mesh, self.state),
             Look::Dots => pass.draw(&Dots, mesh, self.state),
+            Look::Functions => pass.draw(&Functions, mesh, self.state),
             Look::Textured(look) => pass.draw(look, mesh, self.state),
             Look::Sprites(sprites) => pass.draw_instanced(&Sprites, mesh, sprites, self.state),
         };
@@ -140,6 +143,12 @@ pub(crate) fn all() -> Vec<Scene> {
             width: conservative::SIZE[0],
             height: conservative::SIZE[1],
             ..scene("conservative", conservative::three_columns())
+        },
+        Scene {
+            width: functions::SIZE[0],
+            height: functions::SIZE[1],
+            format: Format::Float,
+            ..scene("noise_and_refraction", functions::functions())
         },
         Scene { format: Format::Srgb, ..scene("texture_filters", textures::filters()) },
         Scene { format: Format::Srgb, ..scene("texture_wraps", textures::wraps()) },
