@@ -37,9 +37,9 @@ pub(super) fn reduce(angles: [f32; 16]) -> Reduced {
 fn remainder(angle: f32) -> (i32, f64) {
     let bits = angle.to_bits();
     let mantissa = u128::from(bits & 0x007f_ffff | 0x0080_0000);
-    // The bit of weight 2^w stands at 31 - w. The angle is mantissa * 2^exponent, so a bit of 2/π of weight 2^(1 - exponent) is a half turn.
-    let exponent = (bits >> 23) as usize - 150;
-    let first = 30 + exponent;
+    // The bit of weight 2^w stands at 31 - w. The angle is mantissa * 2^exponent, so a bit of 2/π of weight 2^(1 - exponent) is a half turn; that of 30 + exponent
+    // comes first. The exponent is the field less 150, and may be negative.
+    let first = (bits >> 23) as usize - 120;
     let (word, shift) = (first / 32, first % 32);
     let part = |k: usize| u128::from(TWO_OVER_PI[word + k]);
     let four = part(0) << 96 | part(1) << 64 | part(2) << 32 | part(3);
