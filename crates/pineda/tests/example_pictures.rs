@@ -127,6 +127,12 @@ fn gallery_of_features() {
         "order_dependent_transparency",
         &order_dependent_transparency::draw(Settings::default()).expect("it draws"),
     );
+    gallery::check("environment", &environment::draw(Settings::default()).expect("it draws"));
+    gallery::check("normal_mapping", &normal_mapping::draw(Settings::default()).expect("it draws"));
+    gallery::check("post_process", &post_process::draw(Settings::default()).expect("it draws"));
+    gallery::check("procedural", &procedural::draw(Settings::default()).expect("it draws"));
+    gallery::check("shadow_map", &shadow_map::draw(Settings::default()).expect("it draws"));
+    gallery::check("sprites", &sprites::draw(Settings::default()).expect("it draws"));
     gallery::check("shadow_volume", &shadow_volume::draw(Settings::default()).expect("it draws"));
     gallery::check("sorted_transparency", &sorted_transparency::draw(Settings::default()).expect("it draws"));
     gallery::check("stencil_outline", &stencil_outline::draw(Settings::default()).expect("it draws"));

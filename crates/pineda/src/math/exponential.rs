@@ -128,7 +128,7 @@ impl<L: Lanes> Real<L> {
 
     /// `self` = 2^exponent (1 + x) with 1 + x from √½ to √2; junk unless `self` is positive and finite.
     #[inline(always)]
-    pub(super) fn split(self) -> (Self, Self) {
+    pub(crate) fn split(self) -> (Self, Self) {
         /// The bits of √½: subtracted, they make the exponent field step there instead of at 1.
         const SQRT_HALF: i32 = 0x3f35_04f3;
         const EXPONENT_FIELD: i32 = 0xff80_0000_u32.cast_signed();
@@ -144,7 +144,7 @@ impl<L: Lanes> Real<L> {
 
     /// `value` where `self` is positive and finite, and a logarithm's other values elsewhere.
     #[inline(always)]
-    pub(super) fn logarithm_in_range(self, value: Self) -> Self {
+    pub(crate) fn logarithm_in_range(self, value: Self) -> Self {
         let below_infinity = self.lt(f32::INFINITY).select(value, self);
         self.le(0.0).select(self.lt(0.0).select(f32::NAN, f32::NEG_INFINITY), below_infinity)
     }
