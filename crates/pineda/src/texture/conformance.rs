@@ -12,7 +12,7 @@ fn texels<F: Filterable>(random: &mut Random, count: u32) -> Vec<F::Texel> {
     (0..count).map(|_| F::nearest([random.unit(), random.unit(), random.unit(), random.unit()])).collect()
 }
 
-/// Sixteen lookups of each kind, as rows of bits.
+/// Sixteen lookups of each kind, as rows of bits. Those at a level are made of what those by gradients are made of.
 #[inline(always)]
 fn all_kinds<L: Lanes>(
     lanes: L,
@@ -29,14 +29,10 @@ fn all_kinds<L: Lanes>(
     let (x, y) = ((at.x * 8.0).to_int(), (at.y * 8.0).to_int());
     let compared = |x: Real<L>| Rgba::new(Vec3::new(x, x, x), x);
     let colors = [
-        flat.sample_level(sampler, at.xy(), level),
-        flat.sample(sampler, at.xy().with_derivatives(dx.xy(), dy.xy())),
         flat.sample_bias(sampler, at.xy().with_derivatives(dx.xy(), dy.xy()), level),
         array.sample_grad(sampler, at.xy(), layer, dx.xy(), dy.xy()),
         cube.sample(sampler, at.with_derivatives(dx, dy)),
-        cube.sample_level(sampler, at, level),
         volume.sample_grad(sampler, at, dx, dy),
-        volume.sample_level(sampler, at, level),
         compared(depth.sample_compare(sampler, at.xy(), row(2))),
         flat.fetch(x, y, layer),
     ];
