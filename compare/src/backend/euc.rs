@@ -38,7 +38,11 @@ impl Backend for Euc {
         self.depth.clear(1.0);
         let depth = Some(&mut self.depth);
         match self.scene.shading {
-            Shading::Translucent => bail!("euc is asked for opaque surfaces only"),
+            Shading::Translucent
+            | Shading::Textured(_)
+            | Shading::Floor
+            | Shading::Shadowed(_)
+            | Shading::FiveTextures(_) => bail!("euc is asked for opaque surfaces without textures only"),
             Shading::Gouraud => {
                 type Rasterizer<'a> = Triangles<'a, Buffer2d<f32>, BackfaceCullingDisabled>;
                 Colored { scene: &self.scene }.draw::<Rasterizer<'_>, _>(&self.scene.indices, &mut self.color, depth);

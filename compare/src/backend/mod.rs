@@ -49,10 +49,13 @@ impl Peer {
         }
     }
 
-    /// Whether it can draw the scene: euc is asked for pictures of opaque surfaces, one sample a pixel, only.
+    /// Whether it can draw the scene: euc is asked for pictures of opaque surfaces without textures, one sample a pixel, only.
     pub(crate) fn draws(self, scene: SceneName) -> bool {
         self != Self::Euc
-            || !matches!(scene, SceneName::Msaa | SceneName::Blend | SceneName::DepthOnly | SceneName::Ids)
+            || matches!(
+                scene,
+                SceneName::FillFrontToBack | SceneName::FillBackToFront | SceneName::Micro | SceneName::Medium
+            )
     }
 
     /// How many of so many threads the renderer can make use of.

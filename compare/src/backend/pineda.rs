@@ -1,11 +1,12 @@
 //! `pineda` itself, as a program that depends on it would use it.
 
 use super::Backend;
-use crate::scene::{BlinnPhong, CLEAR_COLOR, HEIGHT, Output, Scene, Shading, Vertex, WIDTH, gray};
+use crate::scene::{BlinnPhong, CLEAR_COLOR, HEIGHT, Output, Scene, Shading, TEXTURE_SIZE, Vertex, WIDTH, gray};
 use anyhow::Result;
 use pineda::{
-    Blend, ColorBuffer, Cull, DepthBuffer, DepthState, DrawState, Fragment, Indices, Lanes, Mat4, Mesh, Pass, Renderer,
-    Rgba, Samples, Settings, Shader, Simd, Target, Vec3, Vec4, shader, varyings,
+    Blend, ColorBuffer, Cull, DepthBuffer, DepthState, DrawState, Fragment, Indices, Lanes, Mat4, Mesh, Pass, R16,
+    Real, Renderer, Rgba, Rgba8, Sampler, Samples, Settings, Shader, Simd, Target, Texture2d, Vec2, Vec3, Vec4, Wrap,
+    shader, varyings,
 };
 use std::borrow::Cow;
 
@@ -15,6 +16,7 @@ pub(super) struct Pineda {
     pixels: Vec<[u8; 4]>,
     depth: Vec<f32>,
     ids: Vec<u32>,
+    textures: Vec<Texture2d<'static, Rgba8>>,
 }
 
 impl Pineda {
@@ -26,8 +28,14 @@ impl Pineda {
             pixels: vec![[0; 4]; pixels(Output::Color)],
             depth: vec![0.0; pixels(Output::Depth)],
             ids: vec![0; pixels(Output::Ids)],
+            textures: scene.textures.iter().map(texture).collect::<Result<_>>()?,
         })
     }
+}
+
+fn texture(texture: &crate::scene::Texture) -> Result<Texture2d<'static, Rgba8>> {
+    let levels = texture.levels.len() as u32;
+    Ok(Texture2d::with_levels(TEXTURE_SIZE, TEXTURE_SIZE, levels, texture.levels.concat())?)
 }
 
 impl Backend for Pineda {
@@ -42,7 +50,8 @@ impl Backend for Pineda {
         let clip_from_world = Mat4(transposed(self.scene.clip_from_world));
         let colored = Colored { clip_from_world };
         let translucent = Translucent { clip_from_world };
-        let lit;
+        let (lit, textured, floor, shadowed, five);
+        let back_faces = DrawState { cull: Cull::Back, ..DrawState::default() };
         let mut pass = Pass::new();
         pass.clear_color = Some(CLEAR_COLOR);
         match self.scene.shading {
@@ -53,7 +62,37 @@ impl Backend for Pineda {
             }
             Shading::BlinnPhong(uniforms) => {
                 lit = Lit { clip_from_world, uniforms };
-                pass.draw(&lit, mesh, DrawState { cull: Cull::Back, ..DrawState::default() })
+                pass.draw(&lit, mesh, back_faces)
+            }
+            Shading::Textured(uniforms) => {
+                textured =
+                    Textured { clip_from_world, uniforms, albedo: &self.textures[0], sampler: Sampler::TRILINEAR };
+                pass.draw(&textured, mesh, back_faces)
+            }
+            Shading::Floor => {
+                floor = Floor { clip_from_world, albedo: &self.textures[0], sampler: Sampler::ANISOTROPIC };
+                pass.draw(&floor, mesh, DrawState::default())
+            }
+            Shading::Shadowed(uniforms) => {
+                let shadow_map = Texture2d::new(TEXTURE_SIZE, TEXTURE_SIZE, &self.scene.shadow_map)?;
+                let sampler = Sampler { wrap: [Wrap::Repeat; 3], ..Sampler::SHADOW };
+                shadowed = Shadowed { clip_from_world, uniforms, shadow_map, sampler };
+                pass.draw(&shadowed, mesh, back_faces)
+            }
+            Shading::FiveTextures(uniforms) => {
+                let [albedo, normal, smoothness, occlusion, emission] = std::array::from_fn(|k| &self.textures[k]);
+                let sampler = Sampler::TRILINEAR;
+                five = FiveTextures {
+                    clip_from_world,
+                    uniforms,
+                    albedo,
+                    normal,
+                    smoothness,
+                    occlusion,
+                    emission,
+                    sampler,
+                };
+                pass.draw(&five, mesh, back_faces)
             }
         };
         let samples = if self.scene.samples == 4 { Samples::Four } else { Samples::One };
@@ -143,6 +182,144 @@ impl Shader for Lit {
         let diffuse = ambient + normal.dot(light).max(0.0);
         let highlight = specular * normal.dot(half).max(0.0).powi(32);
         Rgba::opaque(albedo * diffuse + highlight)
+    }
+}
+
+varyings! {
+    /// In world space.
+    struct Mapped {
+        position: Vec3,
+        normal: Vec3,
+        uv: Vec2,
+    }
+}
+
+impl Mapped {
+    fn of(vertex: &Vertex) -> Self {
+        let [u, v, _] = vertex.color;
+        Self { position: vertex.position.into(), normal: vertex.normal.into(), uv: [u, v].into() }
+    }
+}
+
+#[shader]
+impl BlinnPhong {
+    /// How much of the light the surface scatters, and how much it mirrors.
+    fn light<L: Lanes>(&self, position: Vec3<L>, normal: Vec3<L>) -> (Real<L>, Real<L>) {
+        let normal = normal.normalize();
+        let view = (self.eye - position).normalize();
+        let half = (self.light + view).normalize();
+        (normal.dot(self.light).max(0.0), self.specular * normal.dot(half).max(0.0).powi(32))
+    }
+}
+
+struct Textured<'a> {
+    clip_from_world: Mat4,
+    uniforms: BlinnPhong,
+    albedo: &'a Texture2d<'a, Rgba8>,
+    sampler: Sampler,
+}
+
+#[shader]
+impl Shader for Textured<'_> {
+    type Vertex = Vertex;
+    type Varyings<L: Lanes> = Mapped<L>;
+    const DERIVATIVES: bool = true;
+
+    fn vertex(&self, vertex: &Vertex) -> (Vec4, Mapped) {
+        (self.clip_from_world * Vec3::from(vertex.position).extend(1.0), Mapped::of(vertex))
+    }
+
+    fn fragment<L: Lanes>(&self, f: &mut Fragment<L, Self>) -> Rgba<L> {
+        let (diffuse, highlight) = self.uniforms.light(f.position, f.normal);
+        let albedo = self.albedo.sample(&self.sampler, f.dual().uv);
+        Rgba::opaque(albedo.rgb() * (self.uniforms.ambient + diffuse) + highlight)
+    }
+}
+
+struct Floor<'a> {
+    clip_from_world: Mat4,
+    albedo: &'a Texture2d<'a, Rgba8>,
+    sampler: Sampler,
+}
+
+#[shader]
+impl Shader for Floor<'_> {
+    type Vertex = Vertex;
+    type Varyings<L: Lanes> = Vec2<L>;
+    const DERIVATIVES: bool = true;
+
+    fn vertex(&self, vertex: &Vertex) -> (Vec4, Vec2) {
+        let [u, v, _] = vertex.color;
+        (self.clip_from_world * Vec3::from(vertex.position).extend(1.0), [u, v].into())
+    }
+
+    fn fragment<L: Lanes>(&self, f: &mut Fragment<L, Self>) -> Rgba<L> {
+        self.albedo.sample(&self.sampler, f.dual())
+    }
+}
+
+struct Shadowed<'a> {
+    clip_from_world: Mat4,
+    uniforms: BlinnPhong,
+    shadow_map: Texture2d<'a, R16>,
+    sampler: Sampler,
+}
+
+#[shader]
+impl Shader for Shadowed<'_> {
+    type Vertex = Vertex;
+    type Varyings<L: Lanes> = Surface<L>;
+
+    fn vertex(&self, vertex: &Vertex) -> (Vec4, Surface) {
+        let position = Vec3::from(vertex.position);
+        (self.clip_from_world * position.extend(1.0), Surface { position, normal: vertex.normal.into() })
+    }
+
+    fn fragment<L: Lanes>(&self, f: &mut Fragment<L, Self>) -> Rgba<L> {
+        const TEXEL: f32 = 1.0 / TEXTURE_SIZE as f32;
+        let (diffuse, highlight) = self.uniforms.light(f.position, f.normal);
+        let (place, depth) = (f.position.xy() * 0.1 + 0.5, 0.5 - 0.1 * f.position.z);
+        let mut lit = f.splat(0.0);
+        for y in [-TEXEL, 0.0, TEXEL] {
+            for x in [-TEXEL, 0.0, TEXEL] {
+                lit += self.shadow_map.sample_compare(&self.sampler, place + [x, y], depth);
+            }
+        }
+        let lit = lit * (1.0 / 9.0);
+        Rgba::opaque(self.uniforms.albedo * (self.uniforms.ambient + diffuse * lit) + highlight * lit)
+    }
+}
+
+struct FiveTextures<'a> {
+    clip_from_world: Mat4,
+    uniforms: BlinnPhong,
+    albedo: &'a Texture2d<'a, Rgba8>,
+    normal: &'a Texture2d<'a, Rgba8>,
+    smoothness: &'a Texture2d<'a, Rgba8>,
+    occlusion: &'a Texture2d<'a, Rgba8>,
+    emission: &'a Texture2d<'a, Rgba8>,
+    sampler: Sampler,
+}
+
+#[shader]
+impl Shader for FiveTextures<'_> {
+    type Vertex = Vertex;
+    type Varyings<L: Lanes> = Mapped<L>;
+    const DERIVATIVES: bool = true;
+
+    fn vertex(&self, vertex: &Vertex) -> (Vec4, Mapped) {
+        (self.clip_from_world * Vec3::from(vertex.position).extend(1.0), Mapped::of(vertex))
+    }
+
+    fn fragment<L: Lanes>(&self, f: &mut Fragment<L, Self>) -> Rgba<L> {
+        let (uv, sampler) = (f.dual().uv, &self.sampler);
+        let bump = self.normal.sample(sampler, uv).rgb() - 0.5;
+        let (diffuse, highlight) = self.uniforms.light(f.position, f.normal + bump);
+        let albedo = self.albedo.sample(sampler, uv).rgb();
+        let smoothness = self.smoothness.sample(sampler, uv).g;
+        let occlusion = self.occlusion.sample(sampler, uv).r;
+        let emission = self.emission.sample(sampler, uv).rgb();
+        Rgba::opaque(albedo * (self.uniforms.ambient * occlusion + diffuse) + highlight * smoothness + emission * 0.05)
     }
 }
 

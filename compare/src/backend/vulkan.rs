@@ -1,5 +1,7 @@
 //! lavapipe and SwiftShader: Vulkan through wgpu, headless. Which of the two answers is decided by the environment of the process.
 
+mod textures;
+
 use super::Backend;
 use crate::device::Device;
 use crate::scene::{CLEAR_COLOR, HEIGHT, Output, Scene, Shading, WIDTH, gray};
@@ -41,10 +43,13 @@ impl Vulkan {
             usage: wgpu::BufferUsages::UNIFORM,
         });
         let pipeline = pipeline(&device, scene);
+        let textures = textures::Textures::new(&device, &queue, scene);
+        let mut entries = vec![wgpu::BindGroupEntry { binding: 0, resource: uniforms.as_entire_binding() }];
+        entries.extend(textures.bindings());
         let bindings = device.create_bind_group(&wgpu::BindGroupDescriptor {
             label: None,
             layout: &pipeline.get_bind_group_layout(0),
-            entries: &[wgpu::BindGroupEntry { binding: 0, resource: uniforms.as_entire_binding() }],
+            entries: &entries,
         });
         let records: Vec<[[f32; 3]; 3]> =
             scene.vertices.iter().map(|vertex| [vertex.position, vertex.normal, vertex.color]).collect();
@@ -175,8 +180,8 @@ fn uniforms(scene: &Scene) -> [[f32; 4]; 7] {
     let [x, y, z, w] = std::array::from_fn(|column| rows.map(|row| row[column]));
     let extend = |[x, y, z]: [f32; 3], w| [x, y, z, w];
     match scene.shading {
-        Shading::Gouraud | Shading::Translucent => [x, y, z, w, [0.0; 4], [0.0; 4], [0.0; 4]],
-        Shading::BlinnPhong(lit) => {
+        Shading::Gouraud | Shading::Translucent | Shading::Floor => [x, y, z, w, [0.0; 4], [0.0; 4], [0.0; 4]],
+        Shading::BlinnPhong(lit) | Shading::Textured(lit) | Shading::Shadowed(lit) | Shading::FiveTextures(lit) => {
             [x, y, z, w, extend(lit.eye, lit.ambient), extend(lit.light, lit.specular), extend(lit.albedo, 0.0)]
         }
     }
@@ -196,6 +201,10 @@ fn pipeline(device: &wgpu::Device, scene: &Scene) -> wgpu::RenderPipeline {
         Shading::Gouraud => ("colored_vertex", "colored_fragment", None),
         Shading::Translucent => ("colored_vertex", "translucent_fragment", None),
         Shading::BlinnPhong(_) => ("lit_vertex", "lit_fragment", Some(wgpu::Face::Back)),
+        Shading::Textured(_) => ("mapped_vertex", "textured_fragment", Some(wgpu::Face::Back)),
+        Shading::Floor => ("mapped_vertex", "floor_fragment", None),
+        Shading::Shadowed(_) => ("mapped_vertex", "shadowed_fragment", Some(wgpu::Face::Back)),
+        Shading::FiveTextures(_) => ("mapped_vertex", "five_textures_fragment", Some(wgpu::Face::Back)),
     };
     let module = match scene.output {
         Output::Ids => {

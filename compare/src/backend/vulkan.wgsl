@@ -58,3 +58,74 @@ fn power_32(x: f32) -> f32 {
     let x16 = x8 * x8;
     return x16 * x16;
 }
+
+@group(0) @binding(1) var trilinear: sampler;
+@group(0) @binding(2) var texture_0: texture_2d<f32>;
+@group(0) @binding(3) var texture_1: texture_2d<f32>;
+@group(0) @binding(4) var texture_2: texture_2d<f32>;
+@group(0) @binding(5) var texture_3: texture_2d<f32>;
+@group(0) @binding(6) var texture_4: texture_2d<f32>;
+@group(0) @binding(7) var shadow_map: texture_depth_2d;
+@group(0) @binding(8) var comparison: sampler_comparison;
+
+struct Mapped {
+    @builtin(position) position: vec4<f32>,
+    @location(0) world: vec3<f32>,
+    @location(1) normal: vec3<f32>,
+    @location(2) uv: vec2<f32>,
+}
+
+@vertex
+fn mapped_vertex(
+    @location(0) position: vec3<f32>,
+    @location(1) normal: vec3<f32>,
+    @location(2) color: vec3<f32>,
+) -> Mapped {
+    return Mapped(uniforms.clip_from_world * vec4(position, 1.0), position, normal, color.xy);
+}
+
+// How much of the light the surface scatters, and how much it mirrors.
+fn light(position: vec3<f32>, wanted: vec3<f32>) -> vec2<f32> {
+    let normal = normalize(wanted);
+    let view = normalize(uniforms.eye - position);
+    let half_way = normalize(uniforms.light + view);
+    return vec2(max(dot(normal, uniforms.light), 0.0), uniforms.specular * power_32(max(dot(normal, half_way), 0.0)));
+}
+
+@fragment
+fn textured_fragment(in: Mapped) -> @location(0) vec4<f32> {
+    let lit = light(in.world, in.normal);
+    let albedo = textureSample(texture_0, trilinear, in.uv).rgb;
+    return vec4(albedo * (uniforms.ambient + lit.x) + lit.y, 1.0);
+}
+
+@fragment
+fn floor_fragment(in: Mapped) -> @location(0) vec4<f32> {
+    return textureSample(texture_0, trilinear, in.uv);
+}
+
+@fragment
+fn shadowed_fragment(in: Mapped) -> @location(0) vec4<f32> {
+    let surface = light(in.world, in.normal);
+    let place = in.world.xy * 0.1 + 0.5;
+    let depth = 0.5 - 0.1 * in.world.z;
+    var sum = 0.0;
+    for (var y = -1; y <= 1; y++) {
+        for (var x = -1; x <= 1; x++) {
+            sum += textureSampleCompareLevel(shadow_map, comparison, place + vec2(f32(x), f32(y)) / 1024.0, depth);
+        }
+    }
+    let lit = sum / 9.0;
+    return vec4(uniforms.albedo * (uniforms.ambient + surface.x * lit) + surface.y * lit, 1.0);
+}
+
+@fragment
+fn five_textures_fragment(in: Mapped) -> @location(0) vec4<f32> {
+    let bump = textureSample(texture_1, trilinear, in.uv).rgb - 0.5;
+    let lit = light(in.world, in.normal + bump);
+    let albedo = textureSample(texture_0, trilinear, in.uv).rgb;
+    let smoothness = textureSample(texture_2, trilinear, in.uv).g;
+    let occlusion = textureSample(texture_3, trilinear, in.uv).r;
+    let emission = textureSample(texture_4, trilinear, in.uv).rgb;
+    return vec4(albedo * (uniforms.ambient * occlusion + lit.x) + lit.y * smoothness + emission * 0.05, 1.0);
+}

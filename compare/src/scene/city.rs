@@ -27,6 +27,8 @@ pub(super) fn occluders() -> Scene {
         clip_from_world: matrix::camera_on_z(EYE_DISTANCE, FOV_Y, WIDTH as f32 / HEIGHT as f32, 1.0, 200.0),
         shading: Shading::Gouraud,
         output: Output::Depth,
+        textures: Vec::new(),
+        shadow_map: Vec::new(),
         samples: 1,
     }
 }

@@ -35,6 +35,8 @@ pub(super) fn layers(order: Order) -> Scene {
         clip_from_world: matrix::IDENTITY,
         shading: Shading::Gouraud,
         output: Output::Color,
+        textures: Vec::new(),
+        shadow_map: Vec::new(),
         samples: 1,
     }
 }

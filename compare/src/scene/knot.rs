@@ -3,7 +3,7 @@
 //! The knot is stretched to the picture's shape so that about half of the screen is covered. The tube keeps its round cross-section: a circle in the plane
 //! of two unit vectors perpendicular to the knot's tangent, one of them the stretched torus's own normal.
 
-use super::{BlinnPhong, HEIGHT, Output, Scene, Shading, Vertex, WIDTH, matrix};
+use super::{BlinnPhong, HEIGHT, Output, Scene, Shading, Texture, Vertex, WIDTH, matrix};
 
 const SEGMENTS_ALONG: u32 = 875;
 const SEGMENTS_AROUND: u32 = 40;
@@ -43,8 +43,36 @@ pub(super) fn lit_knot() -> Scene {
             specular: 0.4,
         }),
         output: Output::Color,
+        textures: Vec::new(),
+        shadow_map: Vec::new(),
         samples: 1,
     }
+}
+
+/// The same knot with texture coordinates for colours: the texture goes three times around the tube, and twenty times along it.
+pub(super) fn textured_knot(textures: u32, shading: fn(BlinnPhong) -> Shading) -> Scene {
+    let lit = lit_knot();
+    let Shading::BlinnPhong(uniforms) = lit.shading else { unreachable!("the knot is lit") };
+    // The last ring and the last place of each have other coordinates than the first, where they are.
+    let places = SEGMENTS_AROUND + 1;
+    let mut vertices = Vec::with_capacity(((SEGMENTS_ALONG + 1) * places) as usize);
+    for along in 0..=SEGMENTS_ALONG {
+        for around in 0..=SEGMENTS_AROUND {
+            let first = (along % SEGMENTS_ALONG) * SEGMENTS_AROUND + around % SEGMENTS_AROUND;
+            let uv = [20.0 * along as f32 / SEGMENTS_ALONG as f32, 3.0 * around as f32 / SEGMENTS_AROUND as f32];
+            vertices.push(Vertex { color: [uv[0], uv[1], 0.0], ..lit.vertices[first as usize] });
+        }
+    }
+    let mut indices = Vec::with_capacity(lit.indices.len());
+    for along in 0..SEGMENTS_ALONG {
+        for around in 0..SEGMENTS_AROUND {
+            let a = along * places + around;
+            let (b, d) = (a + places, a + 1);
+            indices.extend([a, d, d + places, a, d + places, b]);
+        }
+    }
+    let textures = (0..textures).map(Texture::bricks).collect();
+    Scene { vertices, indices, shading: shading(uniforms), textures, ..lit }
 }
 
 /// One cross-section of the tube.

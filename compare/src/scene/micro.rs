@@ -28,6 +28,8 @@ pub(super) fn sheet() -> Scene {
         clip_from_world: matrix::IDENTITY,
         shading: Shading::Gouraud,
         output: Output::Color,
+        textures: Vec::new(),
+        shadow_map: Vec::new(),
         samples: 1,
     }
 }

@@ -2,12 +2,15 @@
 
 mod city;
 mod fill;
+mod floor;
 mod knot;
 mod matrix;
 mod micro;
+mod texture;
 
 use clap::ValueEnum;
 use serde::{Deserialize, Serialize};
+pub(crate) use texture::{SIZE as TEXTURE_SIZE, Texture};
 
 /// Width of every scene's picture in pixels.
 pub(crate) const WIDTH: u32 = 1920;
@@ -40,6 +43,14 @@ pub(crate) enum SceneName {
     DepthOnly,
     /// The knot's triangle numbers.
     Ids,
+    /// The knot with a trilinear texture.
+    Textured,
+    /// A floor to the horizon, its texture filtered with 16 lookups at grazing angles.
+    Floor,
+    /// The knot with nine lookups of a shadow map.
+    Shadowed,
+    /// The knot with five trilinear textures.
+    FiveTextures,
 }
 
 /// A vertex as the caller would keep it: 36 bytes, one record.
@@ -49,7 +60,7 @@ pub(crate) struct Vertex {
     pub(crate) position: [f32; 3],
     /// Of length one, in world space.
     pub(crate) normal: [f32; 3],
-    /// Linear red, green, blue in 0..=1.
+    /// Linear red, green, blue in 0..=1; where there are textures, their coordinates and 0.
     pub(crate) color: [f32; 3],
 }
 
@@ -62,6 +73,14 @@ pub(crate) enum Shading {
     Translucent,
     /// Blinn-Phong per pixel; back faces are culled.
     BlinnPhong(BlinnPhong),
+    /// The same with the first texture as albedo.
+    Textured(BlinnPhong),
+    /// The first texture, as it is, anisotropic.
+    Floor,
+    /// Blinn-Phong; the light shines where a depth map lets it: nine comparisons, each filtered, around [`shadow_place`].
+    Shadowed(BlinnPhong),
+    /// Blinn-Phong by five textures: albedo, normal, smoothness, occlusion, emission.
+    FiveTextures(BlinnPhong),
 }
 
 /// The uniforms of the lit scene, in world space and linear light:
@@ -102,6 +121,9 @@ pub(crate) struct Scene {
     pub(crate) clip_from_world: [[f32; 4]; 4],
     pub(crate) shading: Shading,
     pub(crate) output: Output,
+    pub(crate) textures: Vec<Texture>,
+    /// As large as a texture; empty without shadows.
+    pub(crate) shadow_map: Vec<u16>,
     /// Of each pixel: 1 or 4. The picture holds their averages.
     pub(crate) samples: u32,
 }
@@ -118,6 +140,10 @@ impl Scene {
             SceneName::Blend => Self { shading: Shading::Translucent, ..fill::layers(fill::Order::BackToFront) },
             SceneName::DepthOnly => city::occluders(),
             SceneName::Ids => Self { output: Output::Ids, ..knot::lit_knot() },
+            SceneName::Textured => knot::textured_knot(1, Shading::Textured),
+            SceneName::Floor => floor::floor(),
+            SceneName::Shadowed => Self { shadow_map: texture::waves(), ..knot::textured_knot(0, Shading::Shadowed) },
+            SceneName::FiveTextures => knot::textured_knot(5, Shading::FiveTextures),
         }
     }
 }
@@ -134,6 +160,10 @@ impl SceneName {
             Self::Blend => "blend",
             Self::DepthOnly => "depth_only",
             Self::Ids => "ids",
+            Self::Textured => "textured",
+            Self::Floor => "floor",
+            Self::Shadowed => "shadowed",
+            Self::FiveTextures => "five_textures",
         }
     }
 }
@@ -153,6 +183,10 @@ mod tests {
             (SceneName::Blend, 32),
             (SceneName::DepthOnly, 201_600),
             (SceneName::Ids, 70_000),
+            (SceneName::Textured, 70_000),
+            (SceneName::Floor, 2),
+            (SceneName::Shadowed, 70_000),
+            (SceneName::FiveTextures, 70_000),
         ] {
             let scene = Scene::new(name);
             assert_eq!(scene.indices.len(), 3 * triangles, "{name:?}");

@@ -20,7 +20,8 @@ pub(crate) fn expand(item: TokenStream) -> Result<TokenStream, Error> {
     let parameters = quote!(<#width: ::pineda::Lanes>);
     let (name, where_clause) = (&input.ident, &input.generics.where_clause);
 
-    let (mut layout, mut reads, mut writes) = (quote!(::pineda::__Layout::EMPTY), Vec::new(), Vec::new());
+    let (mut layout, mut reads, mut writes, mut duals) =
+        (quote!(::pineda::__Layout::EMPTY), Vec::new(), Vec::new(), Vec::new());
     let mut offset = quote!(0);
     for (i, field) in data.fields.iter().enumerate() {
         let interpolation = match interpolation(&field.attrs)? {
@@ -36,6 +37,7 @@ pub(crate) fn expand(item: TokenStream) -> Result<TokenStream, Error> {
         layout = quote!(#layout.with(#varyings::INTERPOLATION, #interpolation));
         reads.push(quote!(#member: #varyings::read(lanes, &rows[(#offset) * <#width as ::pineda::Lanes>::N..])));
         writes.push(quote!(#varyings::write(self.#member, &mut rows[(#offset) * <#width as ::pineda::Lanes>::N..]);));
+        duals.push(quote!(#member: #varyings::with_derivatives(self.#member, dx.#member, dy.#member)));
         offset = quote!(#offset + #varyings::LEN);
     }
 
@@ -61,6 +63,10 @@ pub(crate) fn expand(item: TokenStream) -> Result<TokenStream, Error> {
             #[inline(always)]
             fn write(self, rows: &mut [f32]) {
                 #(#writes)*
+            }
+            #[inline(always)]
+            fn with_derivatives(self, dx: Self, dy: Self) -> #name<::pineda::Dual<#width>> {
+                #name { #(#duals),* }
             }
         }
     })

@@ -195,6 +195,48 @@ pub enum Error {
         /// The levels that can be asked for here.
         available: Vec<Simd>,
     },
+    /// A texture's size, layers or depth are 0 or beyond what there can be.
+    #[error(
+        "a texture of {width} x {height} texels and {slices} layers or slices cannot be: sides must lie in 1 to {most}, layers and slices in 1 to {most_slices}"
+    )]
+    TextureSize {
+        /// Texels across.
+        width: u32,
+        /// Texels down.
+        height: u32,
+        /// Layers, or depth of a 3D texture.
+        slices: u32,
+        /// The largest side.
+        most: u32,
+        /// The most layers, or the largest depth.
+        most_slices: u32,
+    },
+    /// A texture with no level, or with more than lead down to a single texel.
+    #[error("a texture of {width} x {height} texels has 1 to {most} levels, not {levels}")]
+    TextureLevels {
+        /// How many levels were given.
+        levels: u32,
+        /// How many a full chain has.
+        most: u32,
+        /// Texels across.
+        width: u32,
+        /// Texels down.
+        height: u32,
+    },
+    /// Another number of texels (or channels) than a texture's size and levels say.
+    #[error("a texture of this size and so many levels has {expected} elements, but {length} were given")]
+    TextureLength {
+        /// How many were given.
+        length: usize,
+        /// How many there are.
+        expected: usize,
+    },
+    /// A texture with more texels than signed 32-bit numbers can name.
+    #[error("a texture of {texels} texels, levels included, is too large: at most {} can be named", i32::MAX)]
+    TextureTooLarge {
+        /// How many there would be.
+        texels: u64,
+    },
     /// The system has no memory for what the pass needs.
     #[error("no memory for {bytes} bytes of {what}; draw a smaller target, or lower `Settings::memory`")]
     OutOfMemory {

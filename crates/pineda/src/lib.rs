@@ -107,6 +107,7 @@ mod raster;
 mod settings;
 pub mod shading;
 mod target;
+pub mod texture;
 mod tile;
 mod transpose;
 mod wide;
@@ -122,8 +123,13 @@ pub use pass::{
 pub use raster::samples::Samples;
 pub use settings::{Settings, Simd, TileSize, UnknownSimd};
 pub use target::{ColorBuffer, DepthBuffer, MAX_COLORS, MAX_SIZE, NO_ID, Target, f16_to_f32, f32_to_f16};
+pub use texture::{
+    Filter, Filterable, MAX_TEXTURE_LAYERS, MAX_TEXTURE_SIZE, MAX_TEXTURE_SIZE_3D, MipFilter, R8, R8Srgb, R16, R16F,
+    R32F, R32I, R32U, Rg8, Rg8Srgb, Rg16, Rg16F, Rg32F, Rg32I, Rg32U, Rgba8, Rgba8Srgb, Rgba16, Rgba16F, Rgba32F,
+    Rgba32I, Rgba32U, Sampler, Texture2d, Texture2dArray, Texture3d, TextureCube, TextureFormat, Wrap,
+};
 
-pub use lanes::{Lanes, Packet, Scalar};
+pub use lanes::{Dual, DualF, Lanes, Packet, Scalar};
 pub use math::noise;
 pub use math::{Bool, Int, Mat2, Mat3, Mat4, Real, Rgba, RgbaI, RgbaU, Select, Splat, ToLanes, Uint, Vec2, Vec3, Vec4};
 pub use pineda_macros::{Varyings, shader};

@@ -9,19 +9,34 @@ mod deferred;
 #[path = "../examples/depth_prepass.rs"]
 #[allow(dead_code, unreachable_pub, reason = "an example's main and file writing are not run here")]
 mod depth_prepass;
+#[path = "../examples/environment.rs"]
+#[allow(dead_code, unreachable_pub, reason = "an example's main and file writing are not run here")]
+mod environment;
 mod gallery;
+#[path = "../examples/normal_mapping.rs"]
+#[allow(dead_code, unreachable_pub, reason = "an example's main and file writing are not run here")]
+mod normal_mapping;
 #[path = "../examples/order_dependent_transparency.rs"]
 #[allow(dead_code, unreachable_pub, reason = "an example's main and file writing are not run here")]
 mod order_dependent_transparency;
+#[path = "../examples/post_process.rs"]
+#[allow(dead_code, unreachable_pub, reason = "an example's main and file writing are not run here")]
+mod post_process;
 #[path = "../examples/procedural.rs"]
 #[allow(dead_code, unreachable_pub, reason = "an example's main and file writing are not run here")]
 mod procedural;
+#[path = "../examples/shadow_map.rs"]
+#[allow(dead_code, unreachable_pub, reason = "an example's main and file writing are not run here")]
+mod shadow_map;
 #[path = "../examples/shadow_volume.rs"]
 #[allow(dead_code, unreachable_pub, reason = "an example's main and file writing are not run here")]
 mod shadow_volume;
 #[path = "../examples/sorted_transparency.rs"]
 #[allow(dead_code, unreachable_pub, reason = "an example's main and file writing are not run here")]
 mod sorted_transparency;
+#[path = "../examples/sprites.rs"]
+#[allow(dead_code, unreachable_pub, reason = "an example's main and file writing are not run here")]
+mod sprites;
 #[path = "../examples/stencil_outline.rs"]
 #[allow(dead_code, unreachable_pub, reason = "an example's main and file writing are not run here")]
 mod stencil_outline;
@@ -65,6 +80,31 @@ fn depth_prepass_picture() {
 }
 
 #[test]
+fn environment_picture() {
+    check(environment::draw, 0x3804_cc29_6519_1d6d);
+}
+
+#[test]
+fn normal_mapping_picture() {
+    check(normal_mapping::draw, 0x5d16_d177_735f_1ccd);
+}
+
+#[test]
+fn post_process_picture() {
+    check(post_process::draw, 0xffd3_66ea_0555_33fd);
+}
+
+#[test]
+fn shadow_map_picture() {
+    check(shadow_map::draw, 0xf05c_7077_1870_850b);
+}
+
+#[test]
+fn sprites_picture() {
+    check(sprites::draw, 0xbd86_6930_faa7_7af5);
+}
+
+#[test]
 fn shadow_volume_picture() {
     check(shadow_volume::draw, 0x03e6_8f33_e093_f709);
 }
@@ -87,6 +127,12 @@ fn gallery_of_features() {
         "order_dependent_transparency",
         &order_dependent_transparency::draw(Settings::default()).expect("it draws"),
     );
+    gallery::check("environment", &environment::draw(Settings::default()).expect("it draws"));
+    gallery::check("normal_mapping", &normal_mapping::draw(Settings::default()).expect("it draws"));
+    gallery::check("post_process", &post_process::draw(Settings::default()).expect("it draws"));
+    gallery::check("procedural", &procedural::draw(Settings::default()).expect("it draws"));
+    gallery::check("shadow_map", &shadow_map::draw(Settings::default()).expect("it draws"));
+    gallery::check("sprites", &sprites::draw(Settings::default()).expect("it draws"));
     gallery::check("shadow_volume", &shadow_volume::draw(Settings::default()).expect("it draws"));
     gallery::check("sorted_transparency", &sorted_transparency::draw(Settings::default()).expect("it draws"));
     gallery::check("stencil_outline", &stencil_outline::draw(Settings::default()).expect("it draws"));

@@ -91,3 +91,47 @@ fn thirty_two_numbers_fit() {
     varyings! { struct Most { a: Vec4, b: Vec4, c: Vec4, d: Vec4, e: Vec4, f: Vec4, g: Vec4, h: Vec4 } }
     assert_eq!(<Most as Varyings<Scalar>>::LEN, pineda::MAX_VARYINGS);
 }
+
+/// They had been whatever an earlier packet left in its rows.
+#[test]
+fn derivatives_of_flat_varyings_are_zero() -> Result<(), pineda::Error> {
+    use pineda::*;
+    varyings! { struct Steep { slope: Vec3 } }
+    varyings! { struct Level { #[flat] level: Vec3 } }
+    struct First;
+    struct Second;
+    #[shader]
+    impl Shader for First {
+        type Vertex = [f32; 2];
+        type Varyings<L: Lanes> = Steep<L>;
+        const DERIVATIVES: bool = true;
+        fn vertex(&self, &[x, y]: &[f32; 2]) -> (Vec4, Steep) {
+            ([x, y, 0.5, 1.0].into(), Steep { slope: [x, y, x - y].into() })
+        }
+        fn fragment<L: Lanes>(&self, f: &mut Fragment<L, Self>) -> Rgba<L> {
+            Rgba::opaque(f.dx().slope)
+        }
+    }
+    #[shader]
+    impl Shader for Second {
+        type Vertex = [f32; 2];
+        type Varyings<L: Lanes> = Level<L>;
+        const DERIVATIVES: bool = true;
+        fn vertex(&self, &[x, y]: &[f32; 2]) -> (Vec4, Level) {
+            ([x, y, 0.5, 1.0].into(), Level { level: [x, y, 7.0].into() })
+        }
+        fn fragment<L: Lanes>(&self, f: &mut Fragment<L, Self>) -> Rgba<L> {
+            Rgba::opaque(f.dual().level.fwidth() + f.dx().level + f.dy().level)
+        }
+    }
+    let triangle = [[-1.0, -1.0], [3.0, -1.0], [-1.0, 3.0]];
+    let mesh = Mesh { vertices: &triangle, indices: Indices::Sequential };
+    let mut pass = Pass::new();
+    pass.draw(&First, mesh, DrawState::default());
+    pass.draw(&Second, mesh, DrawState { depth: DepthState::OFF, ..DrawState::default() });
+    let mut pixels = vec![[1.0; 4]; 32 * 32];
+    let mut target = Target { color: ColorBuffer::Rgba32F(&mut pixels), ..Target::new(32, 32) };
+    Renderer::new(Settings { threads: 1, ..Settings::default() })?.render(&pass, &mut target)?;
+    assert!(pixels.iter().all(|&pixel| pixel == [0.0, 0.0, 0.0, 1.0]), "{:?}", pixels[0]);
+    Ok(())
+}

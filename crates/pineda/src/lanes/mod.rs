@@ -17,6 +17,7 @@
 //! * a packet is always sixteen lanes, whatever the registers' size, so that the packing of pixels never depends on
 //!   the machine.
 
+mod dual;
 mod packet;
 mod scalar;
 
@@ -25,6 +26,7 @@ pub(crate) mod conformance;
 
 use core::fmt::Debug;
 
+pub use dual::{Dual, DualF};
 pub use packet::Packet;
 pub use scalar::Scalar;
 
@@ -38,7 +40,8 @@ pub(crate) mod sealed {
 /// It is a type parameter of shaders and of the numbers in them ([`Real`](crate::Real), [`Vec3`](crate::Vec3), ...);
 /// a shader never calls the functions below itself, but uses the methods and operators of those numbers.
 ///
-/// The trait is sealed: [`Scalar`] (one lane) and [`Packet`] (sixteen lanes) implement it. Lanes are numbered from 0.
+/// The trait is sealed: [`Scalar`] (one lane) and [`Packet`] (sixteen lanes) implement it, and [`Dual`] of either, whose numbers know their derivatives. Lanes are
+/// numbered from 0.
 /// A value of the implementing type is the permission to use the instructions of its SIMD level.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a lane width",
@@ -64,6 +67,9 @@ pub trait Lanes: sealed::Sealed + Copy + Debug + Send + Sync + 'static {
     fn of_mask(m: Self::M) -> Self;
     /// The width that `a` was made at.
     fn of_double(a: Self::D) -> Self;
+
+    /// What the closure returns, from a function of its own that is compiled with the level's instructions: for what is too long to be inlined wherever it is used.
+    fn apart<R>(self, f: impl FnOnce() -> R) -> R;
 
     /// `x` in every lane.
     fn splat(self, x: f32) -> Self::F;
@@ -170,8 +176,24 @@ pub trait Lanes: sealed::Sealed + Copy + Debug + Send + Sync + 'static {
     fn f_bits(a: Self::F) -> Self::I;
     /// The float with these bits.
     fn bits_f(a: Self::I) -> Self::F;
+    /// `value`, a function of `x` whose derivative there is `slope`: for functions that are computed by way of bits, which know of no derivatives. But for
+    /// [`Dual`] it is `value` as it is.
+    #[inline(always)]
+    fn chain(value: Self::F, x: Self::F, slope: Self::F) -> Self::F {
+        let _ = (x, slope);
+        value
+    }
+
+    /// The same of a function of two numbers.
+    #[inline(always)]
+    fn chain2(value: Self::F, x: [Self::F; 2], slopes: [Self::F; 2]) -> Self::F {
+        let _ = (x, slopes);
+        value
+    }
 
     /// `table[i]` per lane, with each index clamped to the table: below 0 gives the first entry, past the end the
     /// last. 0 from an empty table.
     fn gather(table: &[u32], i: Self::I) -> Self::I;
+    /// The low and the high words of the first [`N`](Self::N) of `pairs`. Panics if there are fewer.
+    fn halves_of_pairs(self, pairs: &[u64]) -> (Self::I, Self::I);
 }

@@ -1,7 +1,7 @@
 //! Sixteen lanes at one SIMD level, by way of `fearless_simd`: the operations are those of [`crate::wide`].
 
 use super::{Lanes, sealed::Sealed};
-use crate::wide::{Simd, f32x16, f64x16, i32x16, mask32x16};
+use crate::wide::{Simd, f32x16, f64x16, i32x16, mask32x16, u32x16};
 
 /// Sixteen lanes, at the SIMD level that the token `S` stands for.
 ///
@@ -33,6 +33,11 @@ impl<S: Simd> Lanes for Packet<S> {
     #[inline(always)]
     fn of_double(a: f64x16<S>) -> Self {
         Self(a.token())
+    }
+
+    #[inline(always)]
+    fn apart<R>(self, f: impl FnOnce() -> R) -> R {
+        self.0.vectorize(f)
     }
 
     #[inline(always)]
@@ -250,5 +255,13 @@ impl<S: Simd> Lanes for Packet<S> {
             k += 1;
         }
         i32x16::simd_from(i.token(), lanes)
+    }
+
+    #[inline(always)]
+    fn halves_of_pairs(self, pairs: &[u64]) -> (i32x16<S>, i32x16<S>) {
+        let words: &[u32] = bytemuck::must_cast_slice(&pairs[..16]);
+        let (a, b) = (u32x16::from_slice(self.0, &words[..16]), u32x16::from_slice(self.0, &words[16..]));
+        let (even, odd) = (a.unzip_low(b).bitcast(), a.unzip_high(b).bitcast());
+        if cfg!(target_endian = "little") { (even, odd) } else { (odd, even) }
     }
 }

@@ -33,6 +33,11 @@ impl Lanes for Scalar {
     }
 
     #[inline(always)]
+    fn apart<R>(self, f: impl FnOnce() -> R) -> R {
+        f()
+    }
+
+    #[inline(always)]
     fn splat(self, x: f32) -> f32 {
         x
     }
@@ -241,5 +246,10 @@ impl Lanes for Scalar {
             return 0;
         }
         table[(i.max(0) as usize).min(table.len() - 1)].cast_signed()
+    }
+
+    #[inline(always)]
+    fn halves_of_pairs(self, pairs: &[u64]) -> (i32, i32) {
+        (pairs[0] as i32, (pairs[0] >> 32) as i32)
     }
 }

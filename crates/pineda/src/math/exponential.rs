@@ -12,7 +12,7 @@
 
 use super::Real;
 use crate::lanes::Lanes;
-use core::f32::consts::LOG2_E;
+use core::f32::consts::{LN_2, LOG2_E};
 
 /// c0 + x (c1 + x (c2 + ...)), rounded after every step.
 macro_rules! horner {
@@ -34,7 +34,8 @@ impl<L: Lanes> Real<L> {
     pub fn exp2(self) -> Self {
         let shifted = self + ROUND;
         let power = (self - (shifted - ROUND)).exp2_of_fraction();
-        self.in_range(-126.0, 128.0, power.times_power_of_two(shifted))
+        let power = self.in_range(-126.0, 128.0, power.times_power_of_two(shifted));
+        power.with_slope(self, power * LN_2)
     }
 
     /// 2 to the power of `self`, which must be within 1/2 of 0.
@@ -62,7 +63,8 @@ impl<L: Lanes> Real<L> {
         let x = (self - exponent * LN_2_HIGH) - exponent * LN_2_LOW;
         let power =
             1.0 + (x + x * x * horner!(x; 0.499_999_94, 0.166_665_21, 0.041_668_39, 0.008_368_71, 0.001_381_462_2));
-        self.in_range(-87.336_54, 88.722_84, power.times_power_of_two(shifted))
+        let power = self.in_range(-87.336_54, 88.722_84, power.times_power_of_two(shifted));
+        power.with_slope(self, power)
     }
 
     /// The natural logarithm, to 1 ULP. -infinity of 0 (and -0), NaN below 0.
@@ -75,7 +77,7 @@ impl<L: Lanes> Real<L> {
             -0.076_347_68
         );
         let tail = x * squared * p + exponent * LN_2_LOW - 0.5 * squared;
-        self.logarithm_in_range((x + tail) + exponent * LN_2_HIGH)
+        self.logarithm_in_range((x + tail) + exponent * LN_2_HIGH).with_slope(self, 1.0 / self)
     }
 
     /// [`log`](Self::log) by its mathematical name.
@@ -104,7 +106,8 @@ impl<L: Lanes> Real<L> {
         let y = (guess * 0.703_952_25) * (2.389_244_6 - (self * guess) * guess);
         // Halving y is exact; half of a number near the smallest normal one is not.
         let y = y * (1.500_000_3 - (self * (0.5 * y)) * y);
-        y + y * (0.5 - (self * (0.5 * y)) * y)
+        let y = y + y * (0.5 - (self * (0.5 * y)) * y);
+        y.with_slope(self, -0.5 * y * y * y)
     }
 
     /// `self`, which must be from 1/2 to 2, times 2 to the power of the whole number in the low bits of `shifted`, which
@@ -125,7 +128,7 @@ impl<L: Lanes> Real<L> {
 
     /// `self` = 2^exponent (1 + x) with 1 + x from √½ to √2; junk unless `self` is positive and finite.
     #[inline(always)]
-    pub(super) fn split(self) -> (Self, Self) {
+    pub(crate) fn split(self) -> (Self, Self) {
         /// The bits of √½: subtracted, they make the exponent field step there instead of at 1.
         const SQRT_HALF: i32 = 0x3f35_04f3;
         const EXPONENT_FIELD: i32 = 0xff80_0000_u32.cast_signed();
@@ -141,7 +144,7 @@ impl<L: Lanes> Real<L> {
 
     /// `value` where `self` is positive and finite, and a logarithm's other values elsewhere.
     #[inline(always)]
-    pub(super) fn logarithm_in_range(self, value: Self) -> Self {
+    pub(crate) fn logarithm_in_range(self, value: Self) -> Self {
         let below_infinity = self.lt(f32::INFINITY).select(value, self);
         self.le(0.0).select(self.lt(0.0).select(f32::NAN, f32::NEG_INFINITY), below_infinity)
     }

@@ -3,7 +3,7 @@
 #![allow(clippy::suspicious_arithmetic_impl, reason = "shifts are by the lowest five bits")]
 
 use super::{Bool, Real, Select, Splat, ToLanes};
-use crate::lanes::{Lanes, Scalar};
+use crate::lanes::{Dual, Lanes, Scalar};
 use crate::shading::{Interpolation, Varyings};
 use core::convert::identity;
 use core::ops::{Add, BitAnd, BitOr, BitXor, Mul, Not, Shl, Shr, Sub};
@@ -190,6 +190,10 @@ macro_rules! integers {
             #[inline(always)]
             fn write(self, rows: &mut [f32]) {
                 L::store_int(self.0, bytemuck::must_cast_slice_mut(rows));
+            }
+            #[inline(always)]
+            fn with_derivatives(self, _: Self, _: Self) -> $name<Dual<L>> {
+                $name(self.0)
             }
         }
     )+};

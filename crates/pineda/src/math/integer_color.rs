@@ -1,7 +1,7 @@
 //! Colours of whole numbers, for targets that hold such.
 
 use super::{Int, Splat, ToLanes, Uint};
-use crate::lanes::{Lanes, Scalar};
+use crate::lanes::{Dual, Lanes, Scalar};
 use crate::shading::{Interpolation, Varyings};
 
 macro_rules! colors {
@@ -77,6 +77,15 @@ macro_rules! colors {
                 self.g.write(&mut rows[L::N..]);
                 self.b.write(&mut rows[2 * L::N..]);
                 self.a.write(&mut rows[3 * L::N..]);
+            }
+            #[inline(always)]
+            fn with_derivatives(self, dx: Self, dy: Self) -> $name<Dual<L>> {
+                $name {
+                    r: self.r.with_derivatives(dx.r, dy.r),
+                    g: self.g.with_derivatives(dx.g, dy.g),
+                    b: self.b.with_derivatives(dx.b, dy.b),
+                    a: self.a.with_derivatives(dx.a, dy.a),
+                }
             }
         }
     )+};

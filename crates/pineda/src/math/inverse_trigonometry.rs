@@ -18,7 +18,8 @@ impl<L: Lanes> Real<L> {
     pub fn asin(self) -> Self {
         let (is_upper, angle) = self.arc_of_size();
         let angle = angle * is_upper.select(-2.0, 1.0).double() + is_upper.select(1.0, 0.0).double() * FRAC_PI_2;
-        angle.round().times_sign_of(self)
+        let angle = angle.round().times_sign_of(self);
+        angle.with_slope(self, 1.0 / (1.0 - self * self).sqrt())
     }
 
     /// The angle whose cosine `self` is, from 0 to π, to 0.51 ULP; NaN beyond ±1.
@@ -29,7 +30,8 @@ impl<L: Lanes> Real<L> {
         // In units of a quarter turn: 0 + 2a from 1/2 on, 1 - a below, 1 + a and 2 - 2a on the negative side.
         let quarters = is_upper.select(is_negative.select(2.0, 0.0), 1.0);
         let factor = is_upper.select(-2.0, 1.0) * is_negative.select(1.0, -1.0);
-        (angle * factor.double() + quarters.double() * FRAC_PI_2).round()
+        let angle = (angle * factor.double() + quarters.double() * FRAC_PI_2).round();
+        angle.with_slope(self, -1.0 / (1.0 - self * self).sqrt())
     }
 
     /// The angle whose tangent `self` is, from -π/2 to π/2, to 0.51 ULP; -0 of -0, ±π/2 of ±infinity.
@@ -39,7 +41,8 @@ impl<L: Lanes> Real<L> {
         let is_steep = size.gt(1.0);
         let angle = arc_of_quotient(is_steep.select(1.0, size), is_steep.select(size.min(f32::MAX), 1.0));
         let angle = angle * is_steep.select(-1.0, 1.0).double() + is_steep.select(1.0, 0.0).double() * FRAC_PI_2;
-        angle.round().times_sign_of(self)
+        let angle = angle.round().times_sign_of(self);
+        angle.with_slope(self, 1.0 / (self * self + 1.0))
     }
 
     /// The angle from the x axis to the point (`x`, `self`), from -π to π, to 0.51 ULP: `y.atan2(x)`, as in C and Rust.
@@ -62,7 +65,9 @@ impl<L: Lanes> Real<L> {
         let quarters = is_steep.select(1.0, is_left.select(2.0, 0.0));
         let factor = (is_steep ^ is_left).select(-1.0, 1.0);
         let angle = (angle * factor.double() + quarters.double() * FRAC_PI_2).round();
-        (self.ne(self) | x.ne(x)).select(f32::NAN, angle.times_sign_of(self))
+        let angle = (self.ne(self) | x.ne(x)).select(f32::NAN, angle.times_sign_of(self));
+        let squared = x * x + self * self;
+        angle.with_slopes([self, x], [x / squared, -self / squared])
     }
 
     /// Where `|self|` is at most 1/2, its arc sine; above, that of √((1 - |self|) / 2). NaN beyond 1.

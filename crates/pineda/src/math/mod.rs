@@ -27,6 +27,7 @@
 mod boolean;
 mod color;
 mod componentwise;
+mod derivative;
 mod double;
 mod exponential;
 mod gradient_noise;

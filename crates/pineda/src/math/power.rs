@@ -8,13 +8,14 @@ use super::double::{Double, polynomial};
 use super::exponential::ROUND;
 use super::{Real, ToLanes};
 use crate::lanes::Lanes;
+use core::f32::consts::{LN_2, LOG2_E};
 
 impl<L: Lanes> Real<L> {
     /// The logarithm to base 2, to 0.51 ULP, and exact for powers of two. -infinity of 0 (and -0), NaN below 0.
     #[inline(always)]
     pub fn log2(self) -> Self {
         let (exponent, x) = self.split();
-        self.logarithm_in_range(log2_of_product(exponent, x, x.double()).round())
+        self.logarithm_in_range(log2_of_product(exponent, x, x.double()).round()).with_slope(self, LOG2_E / self)
     }
 
     /// `self` to the power of `n`, to 1 ULP. For a whole `n` that is known beforehand, [`powi`](Self::powi) is quicker.
@@ -27,14 +28,20 @@ impl<L: Lanes> Real<L> {
         let n = n.to_lanes(self.lanes());
         // Of -0 the logarithm would else be a positive number, and with a huge `n` infinite.
         let (exponent, x) = self.abs().split();
-        let t = n.double() * log2_of_product(exponent, x, x.double());
+        let logarithm = log2_of_product(exponent, x, x.double());
+        let t = n.double() * logarithm;
         let rounded = t.round();
         let shifted = rounded + ROUND;
         let fraction = (t - (shifted - ROUND).double()).round();
         let power = fraction.exp2_of_fraction().times_power_of_two(shifted).or_flushed();
         // For 0 and infinity, t has the right sign already; infinity of that sign, or NaN, makes the rest.
         let special = self.logarithm_in_range(Self::new(self.lanes(), 0.0));
-        n.eq(0.0).select(1.0, (rounded + special.times_sign_of(n)).in_range(-127.0, 129.0, power))
+        let power = n.eq(0.0).select(1.0, (rounded + special.times_sign_of(n)).in_range(-127.0, 129.0, power));
+        // Where nothing is left of a number, its derivatives are 0, too, instead of 0 / 0.
+        let vanishes = power.eq(0.0);
+        let by_self = vanishes.select(0.0, power * n / self);
+        let by_n = vanishes.select(0.0, power * (logarithm.round() * LN_2));
+        power.with_slopes([self, n], [by_self, by_n])
     }
 
     /// The cube root, to 0.51 ULP; -0 and infinities stay what they are.
@@ -51,7 +58,8 @@ impl<L: Lanes> Real<L> {
         let guess = Self(L::bits_f(L::iadd(third, lanes.int(OFFSET)))).double();
         let root = halley(halley(guess, a.double()), a.double()).round() * subnormal.select(0.003_906_25, 1.0); // 2^-8
         let is_number = size.lt(f32::INFINITY) & size.gt(0.0);
-        is_number.select(root, size).times_sign_of(self)
+        let root = is_number.select(root, size).times_sign_of(self);
+        root.with_slope(self, 1.0 / (root * root * 3.0))
     }
 
     /// Infinity where a positive number's bits say more than that, 0 where they are those of a subnormal one.
@@ -69,8 +77,10 @@ impl<L: Lanes> Real<L> {
     /// `self`, its sign turned where that of `b` is negative; -0 and NaN have one, too.
     #[inline(always)]
     pub(super) fn times_sign_of(self, b: Self) -> Self {
+        const ONE: i32 = 1.0f32.to_bits().cast_signed();
         let sign = L::iand(L::f_bits(b.0), self.lanes().int(i32::MIN));
-        Self(L::bits_f(L::ixor(L::f_bits(self.0), sign)))
+        let turned = Self(L::bits_f(L::ixor(L::f_bits(self.0), sign)));
+        turned.with_slope(self, Self(L::bits_f(L::ior(sign, self.lanes().int(ONE)))))
     }
 }
 

@@ -126,7 +126,8 @@ impl<L: Lanes> Real<L> {
         const WHOLE: f32 = 8_388_608.0; // 2^23
         let size = self.abs();
         // The sign last: choosing between `self` and what has its sign, LLVM 22 makes one AVX-512 instruction of both, and a wrong one.
-        size.lt(WHOLE).select((size + WHOLE) - WHOLE, size).copysign(self)
+        let whole = size.lt(WHOLE).select((size + WHOLE) - WHOLE, size).copysign(self);
+        whole.with_slope(self, Self::new(self.lanes(), 0.0))
     }
 
     /// `self` without its fraction: the next whole number towards 0.

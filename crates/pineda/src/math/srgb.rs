@@ -25,7 +25,9 @@ impl<L: Lanes> Real<L> {
         let power = power * Self::new(self.lanes(), 1.0).times_power_of_two(shifted).double();
         let curved = (power * 1.055 - 0.055).round();
         let curved = self.lt(f32::INFINITY).select(curved, self);
-        self.le(0.003_130_8).select((self.double() * 12.92).round(), curved)
+        let is_straight = self.le(0.003_130_8);
+        let slope = is_straight.select(12.92, (curved + 0.055) / (self * 2.4));
+        is_straight.select((self.double() * 12.92).round(), curved).with_slope(self, slope)
     }
 
     /// From the sRGB curve to linear light, to 0.51 ULP. 0 stays 0 and 1 stays 1; above 1 the curve goes on, and so does its straight
@@ -44,7 +46,9 @@ impl<L: Lanes> Real<L> {
         let curved = power.round().times_power_of_two(shifted);
         let curved = t.round().in_range(-126.0, 129.0, curved.or_flushed());
         let curved = self.lt(1e20).select(curved, self + f32::INFINITY);
-        self.le(0.040_45).select((self.double() * (1.0 / 12.92)).round(), curved)
+        let is_straight = self.le(0.040_45);
+        let slope = is_straight.select(1.0 / 12.92, curved * 2.4 / (self + 0.055));
+        is_straight.select((self.double() * (1.0 / 12.92)).round(), curved).with_slope(self, slope)
     }
 }
 

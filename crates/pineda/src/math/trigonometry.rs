@@ -42,7 +42,9 @@ impl<L: Lanes> Real<L> {
         let next = L::iadd(quadrant.number, self.lanes().int(1));
         let sin_sign = Self(L::bits_f(L::ishl(quadrant.number, 30)));
         let cos_sign = Self(L::bits_f(L::ishl(next, 30)));
-        (first.times_sign_of(sin_sign).times_sign_of(self), second.times_sign_of(cos_sign))
+        let sin = first.times_sign_of(sin_sign).times_sign_of(self);
+        let cos = second.times_sign_of(cos_sign);
+        (sin.with_slope(self, cos), cos.with_slope(self, -sin))
     }
 
     /// The tangent of `self` radians, to 0.51 ULP for every angle: -0 of -0, NaN of infinities and NaN. No float is an odd multiple of a quarter
@@ -55,7 +57,8 @@ impl<L: Lanes> Real<L> {
         let difference = (cos - sin) * quadrant.is_odd.select(1.0, 0.0).double();
         let tangent = ((sin + difference) / (cos - difference)).round();
         let odd_sign = Self(L::bits_f(L::ishl(quadrant.number, 31)));
-        tangent.times_sign_of(odd_sign).times_sign_of(self)
+        let tangent = tangent.times_sign_of(odd_sign).times_sign_of(self);
+        tangent.with_slope(self, tangent * tangent + 1.0)
     }
 
     /// The quadrant that `|self|` lies in, counted from the one around 0, and the angle from its middle: at most an eighth of a turn and a

@@ -6,7 +6,7 @@
 /// wholly outside the target.
 ///
 /// With a negative height the rectangle reaches from `y` upwards, and the picture is upside down, as in Vulkan since 1.1 (where that is how y
-/// comes to point up; here it does already). Winding is decided on the picture: what was a front shows its back. In [`Space::Raster`]
+/// comes to point up; here it does already). Winding is decided on the picture: what was a front shows its back. In [`Space::Raster`](crate::Space::Raster)
 /// the sign makes no difference.
 ///
 /// ```

@@ -61,7 +61,7 @@ impl<S: Simd> Both<S> {
     pub(crate) fn new<const FULL: bool>(s: S, weights: &Weights<S>, layout: &VaryingLayout) -> Self {
         let derivatives = FULL && layout.derivatives;
         let perspective = Barycentric::new(s, &weights.perspective, &weights.dx, &weights.dy, derivatives);
-        let linear = if FULL {
+        let linear = if FULL && !layout.is_plain {
             Barycentric::new(s, &weights.linear, &weights.linear_dx, &weights.linear_dy, derivatives)
         } else {
             perspective
@@ -78,10 +78,13 @@ impl<S: Simd> Both<S> {
         k: usize,
         f: Corner3<S>,
     ) {
-        let interpolation = if FULL { layout.interpolation[k] } else { Interpolation::Perspective };
+        let interpolation = if FULL && !layout.is_plain { layout.interpolation[k] } else { Interpolation::Perspective };
         let b = match interpolation {
             Interpolation::Flat => {
                 rows.here[k] = f.f0.into();
+                if layout.derivatives {
+                    (rows.dx[k], rows.dy[k]) = ([0.0; 16], [0.0; 16]);
+                }
                 return;
             }
             Interpolation::Perspective => &self.perspective,

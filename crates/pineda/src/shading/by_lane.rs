@@ -73,9 +73,9 @@ fn load<S: Simd>(s: S, run: &RunView<'_>, at: usize) -> u32x4<S> {
     u32x4::simd_from(s, run.records[at])
 }
 
-/// Packets whose lanes each load vertices of their own.
+/// Packets whose lanes each load vertices of their own; with derivatives if `FULL`.
 #[inline(always)]
-pub(crate) fn by_lane<S: Simd>(
+pub(crate) fn by_lane<S: Simd, const FULL: bool>(
     s: S,
     run: &RunView<'_>,
     layout: &VaryingLayout,
@@ -88,13 +88,13 @@ pub(crate) fn by_lane<S: Simd>(
     while i < list.len() {
         let k = list[i] as usize;
         let (fragments, mut rows) = batch.packet(k);
-        lane_by_lane(s, run, layout, &fragments, &distinct[k & (BATCH - 1)], &lanes, &mut rows);
+        lane_by_lane::<S, FULL>(s, run, layout, &fragments, &distinct[k & (BATCH - 1)], &lanes, &mut rows);
         i += 1;
     }
 }
 
 #[inline(always)]
-fn lane_by_lane<S: Simd>(
+fn lane_by_lane<S: Simd, const FULL: bool>(
     s: S,
     run: &RunView<'_>,
     layout: &VaryingLayout,
@@ -116,8 +116,8 @@ fn lane_by_lane<S: Simd>(
         let [ox, oy] = centroid_offsets_of_vertices(s, vx, vy, fragments.border, fragments.samples);
         (vx, vy) = ([vx[0] - ox, vx[1] - ox, vx[2] - ox], [vy[0] - oy, vy[1] - oy, vy[2] - oy]);
     }
-    let weights = of_lanes(vx, vy, [a[2].bitcast(), b[2].bitcast(), c[2].bitcast()]);
-    let both = Both::new::<false>(s, &weights, layout);
+    let weights = of_lanes::<S, FULL>(vx, vy, [a[2].bitcast(), b[2].bitcast(), c[2].bitcast()]);
+    let both = Both::new::<FULL>(s, &weights, layout);
     let mut r = 0;
     while r < record_rows(varyings) {
         if r != 0 {
@@ -130,7 +130,7 @@ fn lane_by_lane<S: Simd>(
             if k < varyings {
                 let f0: f32x16<S> = a[i].bitcast();
                 let corner = Corner3 { f0, d1: b[i].bitcast::<f32x16<S>>() - f0, d2: c[i].bitcast::<f32x16<S>>() - f0 };
-                both.set::<false>(layout, rows, k, corner);
+                both.set::<FULL>(layout, rows, k, corner);
             }
             i += 1;
         }

@@ -10,9 +10,9 @@ use crate::geometry::raster_space::SUBPIXELS;
 use crate::tile::view::{BlockLanes, Positions};
 use crate::wide::{Simd, i32x16, mask32x16, u32x4, u32x16};
 
-/// Packets of up to `N` triangles, all of them in the cache.
+/// Packets of up to `N` triangles, all of them in the cache; with derivatives if `FULL`.
 #[inline(never)]
-pub(crate) fn few<S: Simd, const N: usize>(
+pub(crate) fn few<S: Simd, const N: usize, const FULL: bool>(
     s: S,
     layout: &VaryingLayout,
     batch: &mut PacketBatch,
@@ -28,7 +28,7 @@ pub(crate) fn few<S: Simd, const N: usize>(
             while i < list.len() {
                 let k = list[i] as usize;
                 let (fragments, mut rows) = batch.packet(k);
-                from_cache::<S, N>(s, layout, &fragments, &distinct[k & (BATCH - 1)], &lanes, cache, &mut rows);
+                from_cache::<S, N, FULL>(s, layout, &fragments, &distinct[k & (BATCH - 1)], &lanes, cache, &mut rows);
                 i += 1;
             }
         },
@@ -36,7 +36,7 @@ pub(crate) fn few<S: Simd, const N: usize>(
 }
 
 #[inline(always)]
-fn from_cache<S: Simd, const N: usize>(
+fn from_cache<S: Simd, const N: usize, const FULL: bool>(
     s: S,
     layout: &VaryingLayout,
     fragments: &Fragments<'_>,
@@ -69,12 +69,19 @@ fn from_cache<S: Simd, const N: usize>(
     let e0 = one[3] - e1 - e2;
     let [w0, w1, w2, _] = pick.row(s, &triangles, 2);
     let edges = [e0.to_float(), e1.to_float(), e2.to_float()];
-    let weights = Weights::from_edges::<false>(edges, edges, edges, [w0.bitcast(), w1.bitcast(), w2.bitcast()]);
-    let both = Both::new::<false>(s, &weights, layout);
+    let (mut right, mut down) = (edges, edges);
+    if FULL {
+        // A pixel's: times 256 is exact. All three edge functions together do not change.
+        let pixel = SUBPIXELS as f32;
+        right = [(-one[0] - two[0]).to_float() * pixel, one[0].to_float() * pixel, two[0].to_float() * pixel];
+        down = [(-one[1] - two[1]).to_float() * pixel, one[1].to_float() * pixel, two[1].to_float() * pixel];
+    }
+    let weights = Weights::from_edges::<FULL>(edges, right, down, [w0.bitcast(), w1.bitcast(), w2.bitcast()]);
+    let both = Both::new::<FULL>(s, &weights, layout);
     let mut k = 0;
     while k < layout.interpolation.len() {
         let [f0, d1, d2, _] = pick.row(s, &triangles, TRIANGLE_HEADER + k);
-        both.set::<false>(layout, rows, k, Corner3 { f0: f0.bitcast(), d1: d1.bitcast(), d2: d2.bitcast() });
+        both.set::<FULL>(layout, rows, k, Corner3 { f0: f0.bitcast(), d1: d1.bitcast(), d2: d2.bitcast() });
         k += 1;
     }
     if layout.depth {

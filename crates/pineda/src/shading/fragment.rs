@@ -1,7 +1,7 @@
 //! What a fragment stage receives.
 
-use super::Shader;
-use crate::lanes::Lanes;
+use super::{Shader, Varyings};
+use crate::lanes::{Dual, Lanes};
 use crate::math::{Bool, Real, Splat, Vec2};
 use core::marker::PhantomData;
 use core::ops::Deref;
@@ -24,7 +24,7 @@ pub struct Frag<L: Lanes, V, K> {
 /// The parts that a fragment is made of.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct FragParts<L: Lanes, V> {
-    /// The varyings at the pixel's centre.
+    /// The varyings where the fragment is shaded.
     pub(crate) varyings: V,
     /// How much the varyings change per pixel to the right; anything if the stage declares no derivatives.
     pub(crate) dx: V,
@@ -116,7 +116,7 @@ impl<L: Lanes, V: Copy, K> Frag<L, V, K> {
 }
 
 impl<L: Lanes, V: Copy, K: FragmentKind> Frag<L, V, K> {
-    /// How much each varying changes from a pixel to its right-hand neighbour: the derivative at the pixel's centre, by
+    /// How much each varying changes from a pixel to its right-hand neighbour: the derivative where the fragment is shaded, by
     /// extrapolating the triangle's plane, so that it is right at the border too. 0 for a `#[flat]` one.
     ///
     /// The shader must say that it wants derivatives; it is an error when it is compiled otherwise:
@@ -146,6 +146,25 @@ impl<L: Lanes, V: Copy, K: FragmentKind> Frag<L, V, K> {
             );
         }
         &self.parts.dx
+    }
+
+    /// All varyings, as numbers that know their derivatives, and hand them on to whatever is computed from them: see [`Dual`]. What textures are
+    /// [sampled](crate::Texture2d::sample) with.
+    ///
+    /// The shader must say that it wants derivatives, as for [`dx`](Self::dx).
+    #[inline(always)]
+    pub fn dual(&self) -> V::At<Dual<L>>
+    where
+        V: Varyings<L>,
+    {
+        const {
+            assert!(
+                K::DERIVATIVES,
+                "this fragment stage calls f.dual(): add `const DERIVATIVES: bool = true;` to its `impl Shader` \
+                 (a closure cannot have derivatives: implement `Shader` instead)"
+            );
+        }
+        self.parts.varyings.with_derivatives(self.parts.dx, self.parts.dy)
     }
 
     /// How much each varying changes from a pixel to the one below; see [`dx`](Self::dx).

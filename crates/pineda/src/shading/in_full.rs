@@ -1,4 +1,4 @@
-//! Packets with clipped triangles, and varyings that are flat, linear on the screen, or differentiated: triangles in turn, in full.
+//! Packets with clipped triangles, and varyings that are flat or linear on the screen: triangles in turn, in full.
 
 use super::Interpolation;
 use super::barycentric::{Both, Corner3};

@@ -6,7 +6,7 @@
 //! - a *few* triangles, one to eight: their edge functions and varyings are made ready once while a tile shows them, and the lanes pick theirs;
 //! - one *large* triangle: what does not fit 32 bits is computed in f64;
 //! - *many*: each lane loads its own vertices; rows of four words are turned round by shuffles;
-//! - *in full*: what is clipped, flat, linear on the screen, or differentiated.
+//! - *in full*: what is clipped, flat, or linear on the screen.
 //!
 //! Nothing here knows the shader's types: varyings are rows of numbers, so that this is compiled once for each SIMD level, and not again for
 //! every shader.
@@ -62,21 +62,60 @@ pub(crate) fn interpolate<S: Simd, const SINGLE: bool>(
         ways.add(way, k);
         k += 1;
     }
-    if !ways.of(Way::One).is_empty() {
-        few::<S, 1>(s, layout, batch, distinct, ways.of(Way::One), cache);
+    if layout.derivatives {
+        with_derivatives(s, run, layout, batch, distinct, &ways, last, cache);
+    } else {
+        by_ways::<S, false>(s, run, layout, batch, distinct, &ways, last, cache);
     }
-    if !ways.of(Way::Two).is_empty() {
-        few::<S, 2>(s, layout, batch, distinct, ways.of(Way::Two), cache);
-    }
-    if !ways.of(Way::Four).is_empty() {
-        few::<S, 4>(s, layout, batch, distinct, ways.of(Way::Four), cache);
-    }
-    if !ways.of(Way::Eight).is_empty() {
-        few::<S, 8>(s, layout, batch, distinct, ways.of(Way::Eight), cache);
-    }
-    large(s, run, layout, batch, distinct, ways.of(Way::Large), last);
-    by_lane(s, run, layout, batch, distinct, ways.of(Way::ByLane));
     if !ways.of(Way::InFull).is_empty() {
         in_full(s, run, position, layout, batch, distinct, ways.of(Way::InFull));
     }
+}
+
+/// Packets whose varyings are all interpolated with perspective; with derivatives if `FULL`.
+#[inline(always)]
+#[expect(clippy::too_many_arguments, reason = "inlined")]
+fn by_ways<S: Simd, const FULL: bool>(
+    s: S,
+    run: &RunView<'_>,
+    layout: &VaryingLayout,
+    batch: &mut PacketBatch,
+    distinct: &[Distinct; BATCH],
+    ways: &Ways,
+    last: &mut Last<S>,
+    cache: &TriangleCache,
+) {
+    if !ways.of(Way::One).is_empty() {
+        few::<S, 1, FULL>(s, layout, batch, distinct, ways.of(Way::One), cache);
+    }
+    if !ways.of(Way::Two).is_empty() {
+        few::<S, 2, FULL>(s, layout, batch, distinct, ways.of(Way::Two), cache);
+    }
+    if !ways.of(Way::Four).is_empty() {
+        few::<S, 4, FULL>(s, layout, batch, distinct, ways.of(Way::Four), cache);
+    }
+    if !ways.of(Way::Eight).is_empty() {
+        few::<S, 8, FULL>(s, layout, batch, distinct, ways.of(Way::Eight), cache);
+    }
+    large::<S, FULL>(s, run, layout, batch, distinct, ways.of(Way::Large), last);
+    by_lane::<S, FULL>(s, run, layout, batch, distinct, ways.of(Way::ByLane));
+}
+
+/// The same, as a function of its own: the plain one is left as small as it is.
+#[inline(never)]
+#[expect(clippy::too_many_arguments, reason = "as many as the plain one has")]
+fn with_derivatives<S: Simd>(
+    s: S,
+    run: &RunView<'_>,
+    layout: &VaryingLayout,
+    batch: &mut PacketBatch,
+    distinct: &[Distinct; BATCH],
+    ways: &Ways,
+    last: &mut Last<S>,
+    cache: &TriangleCache,
+) {
+    s.vectorize(
+        #[inline(always)]
+        || by_ways::<S, true>(s, run, layout, batch, distinct, ways, last, cache),
+    );
 }

@@ -26,9 +26,9 @@ impl<S: Simd> Last<S> {
     }
 }
 
-/// Interpolates the packets that the list names.
+/// Interpolates the packets that the list names; with derivatives if `FULL`.
 #[inline(always)]
-pub(crate) fn large<S: Simd>(
+pub(crate) fn large<S: Simd, const FULL: bool>(
     s: S,
     run: &RunView<'_>,
     layout: &VaryingLayout,
@@ -42,14 +42,15 @@ pub(crate) fn large<S: Simd>(
     while i < list.len() {
         let k = list[i] as usize;
         let (fragments, mut rows) = batch.packet(k);
-        one(s, run, layout, &fragments, TriangleId(distinct[k & (BATCH - 1)].ids[0]), &lanes, last, &mut rows);
+        let id = TriangleId(distinct[k & (BATCH - 1)].ids[0]);
+        one::<S, FULL>(s, run, layout, &fragments, id, &lanes, last, &mut rows);
         i += 1;
     }
 }
 
 #[inline(always)]
 #[expect(clippy::too_many_arguments, reason = "inlined")]
-fn one<S: Simd>(
+fn one<S: Simd, const FULL: bool>(
     s: S,
     run: &RunView<'_>,
     layout: &VaryingLayout,
@@ -75,11 +76,11 @@ fn one<S: Simd>(
             last.depths = run.vertex_depths([a, b, c]);
         }
     }
-    let weights = last.prepared.weights(s, fragments.x, fragments.y);
-    let both = Both::new::<false>(s, &weights, layout);
+    let weights = last.prepared.weights::<FULL>(s, fragments.x, fragments.y);
+    let both = Both::new::<FULL>(s, &weights, layout);
     let mut k = 0;
     while k < varyings {
-        both.set::<false>(layout, rows, k, Corner3::splat(s, last.corners[k]));
+        both.set::<FULL>(layout, rows, k, Corner3::splat(s, last.corners[k]));
         k += 1;
     }
     if layout.depth {

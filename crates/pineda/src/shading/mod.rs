@@ -123,6 +123,11 @@
 //! }
 //! ```
 //!
+//! # Textures, and derivatives of anything
+//!
+//! Textures and their samplers are fields like any other uniform: `self.albedo.sample(&self.sampler, f.dual().uv)`; see [`texture`](crate::texture). [`f.dual()`](Frag::dual) is the
+//! varyings as numbers that know their derivatives, and so does whatever is computed from them: see [`Dual`](crate::Dual).
+//!
 //! # Varyings
 //!
 //! [`varyings!`](crate::varyings) declares a struct; a single number or vector needs none

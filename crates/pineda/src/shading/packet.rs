@@ -25,13 +25,13 @@ pub(crate) struct VaryingLayout {
     pub(crate) point_coord: bool,
     /// Whether the depth is interpolated, too.
     pub(crate) depth: bool,
-    /// Whether everything is interpolated with perspective and no derivative is asked for.
+    /// Whether everything is interpolated with perspective.
     pub(crate) is_plain: bool,
 }
 
 impl VaryingLayout {
     pub(crate) fn new(interpolation: &'static [Interpolation], derivatives: bool) -> Self {
-        let is_plain = !derivatives && interpolation.iter().all(|&i| i == Interpolation::Perspective);
+        let is_plain = interpolation.iter().all(|&i| i == Interpolation::Perspective);
         Self { interpolation, derivatives, point_coord: false, depth: false, is_plain }
     }
 

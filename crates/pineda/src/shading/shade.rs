@@ -138,7 +138,7 @@ pub(crate) fn shade_in_order<S: Simd>(s: S, shading: &mut Shading<'_>, packets: 
     let has_color = shading.color.format != ColorFormat::None || !shading.more_colors.is_empty();
     let is_shaded = discards || (has_color && !state.writes_no_color(call.outputs().kinds.len()));
     let is_usual = is_shaded && !discards && state.stencil.is_none() && shading.counted.is_none();
-    let takes_singles = is_usual && layout.is_plain && shading.run.strokes.is_none();
+    let takes_singles = is_usual && layout.is_plain && !layout.derivatives && shading.run.strokes.is_none();
     let is_over = is_usual
         && shading.run.strokes.is_none()
         && shading.further() == 0

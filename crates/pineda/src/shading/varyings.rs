@@ -1,6 +1,6 @@
 //! What the vertex stage hands to the fragment stage.
 
-use crate::lanes::Lanes;
+use crate::lanes::{Dual, Lanes};
 use crate::math::{Real, Rgba, Vec2, Vec3, Vec4};
 
 /// The most numbers that a shader's varyings may have together: a `Vec3` counts as three.
@@ -56,6 +56,8 @@ pub trait Varyings<L: Lanes>: Copy {
     fn read(lanes: L, rows: &[f32]) -> Self;
     /// To the first [`LEN`](Self::LEN) numbers of `rows`.
     fn write(self, rows: &mut [f32]);
+    /// These values, with the derivatives that `dx` and `dy` hold; of integers, the values.
+    fn with_derivatives(self, dx: Self, dy: Self) -> Self::At<Dual<L>>;
 }
 
 impl<L: Lanes> Varyings<L> for () {
@@ -66,6 +68,8 @@ impl<L: Lanes> Varyings<L> for () {
     fn read(_: L, _: &[f32]) {}
     #[inline(always)]
     fn write(self, _: &mut [f32]) {}
+    #[inline(always)]
+    fn with_derivatives(self, (): (), (): ()) {}
 }
 
 impl<L: Lanes> Varyings<L> for Real<L> {
@@ -79,6 +83,10 @@ impl<L: Lanes> Varyings<L> for Real<L> {
     #[inline(always)]
     fn write(self, rows: &mut [f32]) {
         L::store(self.0, rows);
+    }
+    #[inline(always)]
+    fn with_derivatives(self, dx: Self, dy: Self) -> Real<Dual<L>> {
+        self.with_derivatives(dx, dy)
     }
 }
 
@@ -95,6 +103,10 @@ macro_rules! vector_varyings {
             #[inline(always)]
             fn write(self, rows: &mut [f32]) {
                 $(self.$field.write(&mut rows[$i * L::N..]);)+
+            }
+            #[inline(always)]
+            fn with_derivatives(self, dx: Self, dy: Self) -> $vector<Dual<L>> {
+                self.with_derivatives(dx, dy)
             }
         }
     )+};

@@ -208,10 +208,10 @@ impl<S: Simd> Prepared<S> {
 
     /// Its weights in the block whose first pixel is (x, y).
     #[inline(always)]
-    pub(crate) fn weights(&self, s: S, x: i32, y: i32) -> Weights<S> {
+    pub(crate) fn weights<const FULL: bool>(&self, s: S, x: i32, y: i32) -> Weights<S> {
         let (px, py) = (i64::from(x * SUBPIXELS + HALF_PIXEL), i64::from(y * SUBPIXELS + HALF_PIXEL));
         let mut edge = [f32x16::splat(s, 0.0); 3];
-        let mut w = edge;
+        let (mut w, mut dx, mut dy) = (edge, edge, edge);
         let mut k = 0;
         while k < 3 {
             let (a, b) = ((k + 1) % 3, (k + 2) % 3);
@@ -220,9 +220,11 @@ impl<S: Simd> Prepared<S> {
             let first = f64x8::splat(s, (ax * by - bx * ay) as f64);
             edge[k] = (self.low[k] + first).narrow(self.high[k] + first);
             w[k] = f32x16::splat(s, self.inv_w[k]);
+            dx[k] = f32x16::splat(s, self.step_x[k] as f32 * SUBPIXELS as f32);
+            dy[k] = f32x16::splat(s, self.step_y[k] as f32 * SUBPIXELS as f32);
             k += 1;
         }
-        Weights::from_edges::<false>(edge, edge, edge, w)
+        Weights::from_edges::<FULL>(edge, dx, dy, w)
     }
 }
 
@@ -298,8 +300,12 @@ fn evaluate_homogeneous<S: Simd>(
 
 /// Another triangle in each lane, none of them clipped: coordinates relative to each lane's own sample, and 1 / w.
 #[inline(always)]
-pub(crate) fn of_lanes<S: Simd>(vx: [i32x16<S>; 3], vy: [i32x16<S>; 3], inv_w: [f32x16<S>; 3]) -> Weights<S> {
-    let mut edge = inv_w;
+pub(crate) fn of_lanes<S: Simd, const FULL: bool>(
+    vx: [i32x16<S>; 3],
+    vy: [i32x16<S>; 3],
+    inv_w: [f32x16<S>; 3],
+) -> Weights<S> {
+    let (mut edge, mut dx, mut dy) = (inv_w, inv_w, inv_w);
     let is_near = are_near(vx, vy);
     let mut k = 0;
     while k < 3 {
@@ -313,9 +319,13 @@ pub(crate) fn of_lanes<S: Simd>(vx: [i32x16<S>; 3], vy: [i32x16<S>; 3], inv_w: [
             let (by_low, by_high) = double(vy[b]);
             edge[k] = (ax_low * by_low - bx_low * ay_low).narrow(ax_high * by_high - bx_high * ay_high);
         }
+        if FULL {
+            dx[k] = (vy[a] - vy[b]).to_float() * SUBPIXELS as f32;
+            dy[k] = (vx[b] - vx[a]).to_float() * SUBPIXELS as f32;
+        }
         k += 1;
     }
-    Weights::from_edges::<false>(edge, edge, edge, inv_w)
+    Weights::from_edges::<FULL>(edge, dx, dy, inv_w)
 }
 
 #[inline(always)]

@@ -397,8 +397,8 @@ fn from_unorm8<S: Simd>(_: S, codes: u32x16<S>) -> f32x16<S> {
     value * PART_OF_255 + value * REST_OF_255
 }
 
-const PART_OF_255: f32 = f32::from_bits((1.0f32 / 255.0).to_bits() & !0xff);
-const REST_OF_255: f32 = (1.0 / 255.0 - PART_OF_255 as f64) as f32;
+pub(crate) const PART_OF_255: f32 = f32::from_bits((1.0f32 / 255.0).to_bits() & !0xff);
+pub(crate) const REST_OF_255: f32 = (1.0 / 255.0 - PART_OF_255 as f64) as f32;
 
 /// The four bytes of each lane, over 255.
 #[inline(always)]

@@ -8,9 +8,9 @@
 use crate::wide::{Simd, f32x16, u32x16};
 
 /// The exponents' biases, 127 and 15, apart.
-const REBIAS: u32 = (127 - 15) << 23;
+pub(crate) const REBIAS: u32 = (127 - 15) << 23;
 /// 2^-14, the smallest normal half, as an f32.
-const SMALLEST_NORMAL: u32 = (127 - 14) << 23;
+pub(crate) const SMALLEST_NORMAL: u32 = (127 - 14) << 23;
 /// 65520, from which on the nearest half is infinity: half way from the largest to what would come next.
 const OVERFLOW: u32 = 0x477f_f000;
 const F32_INFINITY: u32 = 0x7f80_0000;
@@ -18,7 +18,7 @@ const INFINITY: u32 = 0x7c00;
 /// What every NaN becomes.
 const NAN: u32 = 0x7e00;
 /// The shifted exponent of infinities and NaN.
-const SPECIAL: u32 = 31 << 23;
+pub(crate) const SPECIAL: u32 = 31 << 23;
 
 /// The bits of the 16-bit float (IEEE 754 binary16) that is nearest to `x`, halves to even: what the formats `R16F`, `Rg16F` and `Rgba16F` of
 /// [`ColorBuffer`](crate::ColorBuffer) store.

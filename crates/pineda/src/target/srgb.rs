@@ -46,6 +46,11 @@ impl Srgb {
         self.decoded[usize::from(code)]
     }
 
+    /// The linear values of all codes.
+    pub(crate) fn decoded(&self) -> &[f32; 256] {
+        &self.decoded
+    }
+
     /// The nearest code; of a value below 0 or NaN 0, of a value above 1 255.
     #[inline(always)]
     pub(crate) fn encode(&self, linear: f32) -> u8 {

@@ -14,6 +14,7 @@ mod scenes;
 mod shapes;
 mod strokes;
 mod targets;
+mod textures;
 
 use pineda::{ColorBuffer, DepthBuffer, NO_ID, Pass, Renderer, Settings, Simd, Target, TileSize};
 use scenes::{Format, Scene};

@@ -7,6 +7,7 @@ use crate::multisample;
 use crate::primitives::{self, Facets, Row, Sprite, Sprites};
 use crate::shapes::{Shape, ground, knot, rectangle, slivers, soup};
 use crate::strokes::{self, Dots};
+use crate::textures::{self, Textured};
 use pineda::*;
 
 /// The format of a scene's picture.
@@ -48,6 +49,7 @@ pub(crate) enum Look {
     CutOpen(CutOpen),
     Dots,
     Functions,
+    Textured(Textured),
 }
 
 impl Scene {
@@ -69,6 +71,7 @@ impl Layer {
             Look::CutOpen(look) => pass.draw(look, mesh, self.state),
             Look::Dots => pass.draw(&Dots, mesh, self.state),
             Look::Functions => pass.draw(&Functions, mesh, self.state),
+            Look::Textured(look) => pass.draw(look, mesh, self.state),
             Look::Sprites(sprites) => pass.draw_instanced(&Sprites, mesh, sprites, self.state),
         };
     }
@@ -147,6 +150,12 @@ pub(crate) fn all() -> Vec<Scene> {
             format: Format::Float,
             ..scene("noise_and_refraction", functions::functions())
         },
+        Scene { format: Format::Srgb, ..scene("texture_filters", textures::filters()) },
+        Scene { format: Format::Srgb, ..scene("texture_wraps", textures::wraps()) },
+        Scene { format: Format::Srgb, ..scene("texture_kinds", textures::kinds()) },
+        Scene { format: Format::Srgb, ..scene("texture_levels", textures::levels()) },
+        Scene { format: Format::Srgb, ..scene("texture_checks", textures::checks()) },
+        Scene { format: Format::Srgb, samples: Samples::Four, ..scene("textures_of_4_samples", textures::samples()) },
     ]
 }
 

@@ -4,6 +4,7 @@ mod clip_distances;
 mod color_errors;
 mod conservative;
 mod coverage;
+mod derivatives;
 mod encodings;
 mod errors;
 mod fragments;

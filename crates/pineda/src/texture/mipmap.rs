@@ -1,0 +1,149 @@
+//! Mip chains: each level half as large as the one before, rounded down, as Vulkan and D3D have it.
+//!
+//! A texel of the smaller level covers, along each axis, as much of the larger one as their sizes say, and is the mean of that: two texels where the size is even; where
+//! it is odd, n = 2m + 1, three, of which the outer ones count for what they have in it, m - i, m and i + 1 parts of n for texel i (Guthe and Heckbert 2005, "Non-power-of-two
+//! mipmapping"). No texel counts more than another: the mean of each level is that of the texture. Colours are decoded to linear light first, and not encoded
+//! between levels, so that errors do not add up.
+//!
+//! By alpha: a colour counts by its alpha, so that what is transparent does not bleed in. Where all is transparent, colours count alike.
+
+use super::format::{Filterable, numbers};
+use super::image::{Extent, Image};
+use crate::Error;
+
+/// The texels of a full chain.
+pub(super) fn chain<F: Filterable, const BY_ALPHA: bool>(image: &Image<'_, F>) -> Result<Vec<F::Texel>, Error> {
+    let (extent, count) = (image.extent, image.extent.levels());
+    let total: u64 = (0..count).map(|level| extent.level(level).texels()).sum();
+    if total > i32::MAX as u64 {
+        return Err(Error::TextureTooLarge { texels: total });
+    }
+    let base = &image.texels[..extent.texels() as usize];
+    let mut texels = reserved::<F::Texel>(total as usize)?;
+    texels.extend_from_slice(base);
+    let mut larger: Vec<[f32; 4]> = Vec::new();
+    for level in 1..count {
+        let (from, to) = (extent.level(level - 1), extent.level(level));
+        let mut smaller = reserved::<[f32; 4]>(to.texels() as usize)?;
+        if level == 1 {
+            halve::<BY_ALPHA>(from, to, &mut smaller, |i| numbers::<F>(base[i], image.decoded));
+        } else {
+            halve::<BY_ALPHA>(from, to, &mut smaller, |i| larger[i]);
+        }
+        texels.extend(smaller.iter().map(|&color| F::nearest(color)));
+        larger = smaller;
+    }
+    Ok(texels)
+}
+
+fn reserved<T>(length: usize) -> Result<Vec<T>, Error> {
+    let mut texels = Vec::new();
+    let error = |_| Error::OutOfMemory { bytes: length.saturating_mul(size_of::<T>()), what: "a texture's levels" };
+    texels.try_reserve_exact(length).map_err(error)?;
+    Ok(texels)
+}
+
+/// The texels of the larger level along one axis that texel `i` of the smaller one covers: the first, and how much each counts.
+fn covered(from: u32, to: u32, i: u32) -> (u32, [f64; 3], usize) {
+    let n = f64::from(from);
+    if from == to {
+        (i, [1.0, 0.0, 0.0], 1)
+    } else if from.is_multiple_of(2) {
+        (2 * i, [0.5, 0.5, 0.0], 2)
+    } else {
+        (2 * i, [f64::from(to - i) / n, f64::from(to) / n, f64::from(i + 1) / n], 3)
+    }
+}
+
+fn halve<const BY_ALPHA: bool>(from: Extent, to: Extent, out: &mut Vec<[f32; 4]>, texel: impl Fn(usize) -> [f32; 4]) {
+    let (width, height) = (from.width as usize, from.height as usize);
+    let columns: Vec<_> = (0..to.width).map(|x| covered(from.width, to.width, x)).collect();
+    for z in 0..to.slices {
+        let (first_z, weights_z, count_z) = covered(from.slices, to.slices, z);
+        for y in 0..to.height {
+            let (first_y, weights_y, count_y) = covered(from.height, to.height, y);
+            for &(first_x, weights_x, count_x) in &columns {
+                let (mut plain, mut by_alpha) = ([0.0; 4], [0.0; 3]);
+                for (dz, &weight_z) in weights_z[..count_z].iter().enumerate() {
+                    for (dy, &weight_y) in weights_y[..count_y].iter().enumerate() {
+                        let row = ((first_z as usize + dz) * height + first_y as usize + dy) * width + first_x as usize;
+                        for (dx, &weight_x) in weights_x[..count_x].iter().enumerate() {
+                            let (color, weight) = (texel(row + dx).map(f64::from), weight_z * weight_y * weight_x);
+                            for (sum, channel) in plain.iter_mut().zip(color) {
+                                *sum += weight * channel;
+                            }
+                            if BY_ALPHA {
+                                for (sum, channel) in by_alpha.iter_mut().zip(color) {
+                                    *sum += weight * color[3] * channel;
+                                }
+                            }
+                        }
+                    }
+                }
+                let alpha = plain[3];
+                if BY_ALPHA && alpha > 0.0 {
+                    plain[..3].copy_from_slice(&by_alpha.map(|sum| sum / alpha));
+                }
+                out.push(plain.map(|channel| channel as f32));
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::texture::{R32F, Rgba8, Rgba8Srgb, Texture2d, Texture3d};
+
+    fn floats(texture: &Texture2d<'_, R32F>, level: u32) -> Vec<f32> {
+        texture.texels(level).to_vec()
+    }
+
+    #[test]
+    fn the_mean_of_each_level_is_the_textures() {
+        for (width, height) in [(7, 5), (8, 8), (1, 13), (31, 2), (6, 9)] {
+            let texels: Vec<f32> = (0..width * height).map(|k: u32| f32::from(k.wrapping_mul(40_503) as u8)).collect();
+            let mean = |texels: &[f32]| texels.iter().map(|&x| f64::from(x)).sum::<f64>() / texels.len() as f64;
+            let texture = Texture2d::<R32F>::new(width, height, &texels).unwrap().with_mips().unwrap();
+            assert_eq!(texture.levels(), 32 - width.max(height).leading_zeros());
+            assert_eq!(texture.size(texture.levels() - 1), [1, 1]);
+            for level in 0..texture.levels() {
+                let difference = (mean(&floats(&texture, level)) - mean(&texels)).abs();
+                assert!(difference < 1e-4, "{width} x {height}, level {level}: {difference}");
+            }
+        }
+    }
+
+    #[test]
+    fn odd_sizes_weigh_what_a_texel_has_in_the_smaller_one() {
+        let texture = Texture2d::<R32F>::new(5, 1, &[1.0, 0.0, 0.0, 0.0, 0.0]).unwrap().with_mips().unwrap();
+        assert_eq!(floats(&texture, 1), [2.0 / 5.0, 0.0]);
+        let texture = Texture2d::<R32F>::new(5, 1, &[0.0, 0.0, 1.0, 0.0, 0.0]).unwrap().with_mips().unwrap();
+        assert_eq!(floats(&texture, 1), [1.0 / 5.0, 1.0 / 5.0]);
+    }
+
+    #[test]
+    fn colors_are_decoded_before_they_are_mixed() {
+        let checks = [[0, 0, 0, 255], [255, 255, 255, 255]];
+        let texture = Texture2d::<Rgba8Srgb>::new(2, 1, &checks).unwrap().with_mips().unwrap();
+        assert_eq!(texture.texels(1), [[188, 188, 188, 255]], "half of the light");
+        let texture = Texture2d::<Rgba8>::new(2, 1, &checks).unwrap().with_mips().unwrap();
+        assert_eq!(texture.texels(1), [[128, 128, 128, 255]], "half of the number");
+    }
+
+    #[test]
+    fn by_alpha_what_is_transparent_does_not_bleed_in() {
+        let leaf = [[0, 200, 0, 255], [255, 0, 255, 0]];
+        let texture = Texture2d::<Rgba8>::new(2, 1, &leaf).unwrap();
+        assert_eq!(texture.with_alpha_weighted_mips().unwrap().texels(1), [[0, 200, 0, 128]]);
+        assert_eq!(texture.with_mips().unwrap().texels(1), [[128, 100, 128, 128]]);
+        let air = Texture2d::<Rgba8>::new(2, 1, &[[10, 0, 0, 0], [20, 0, 0, 0]]).unwrap();
+        assert_eq!(air.with_alpha_weighted_mips().unwrap().texels(1), [[15, 0, 0, 0]]);
+    }
+
+    #[test]
+    fn depth_is_halved_and_layers_are_not() {
+        let texels: Vec<f32> = (0..8).map(|k| k as f32).collect();
+        let volume = Texture3d::<R32F>::new(2, 2, 2, &texels).unwrap().with_mips().unwrap();
+        assert_eq!((volume.levels(), volume.texels(1)), (2, &[3.5][..]));
+    }
+}
