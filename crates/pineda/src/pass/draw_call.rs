@@ -36,6 +36,10 @@ pub(crate) trait DrawCall: Sync {
     }
     /// Runs the vertex stage for the vertices at places `first_place` on, as many as there are screen vertices.
     fn run_vertices(&self, level: Level, job: VertexJob<'_>);
+    /// Whether the fragment stage asks which triangles it shades.
+    fn reads_ids(&self) -> bool {
+        false
+    }
     /// Runs the fragment stage.
     fn run_fragments(&self, level: Level, batch: &mut PacketBatch);
 
@@ -130,6 +134,10 @@ impl<Sh: Shader, G: Input<In = Sh::Vertex>> DrawCall for ShaderDraw<'_, Sh, G> {
 
     fn discards(&self) -> bool {
         <Sh as FragmentKind>::DISCARDS
+    }
+
+    fn reads_ids(&self) -> bool {
+        <Sh as FragmentKind>::IDS
     }
 
     fn outputs(&self) -> OutputLayout {

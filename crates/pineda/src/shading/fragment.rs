@@ -2,7 +2,7 @@
 
 use super::{Shader, Varyings};
 use crate::lanes::{Dual, Lanes};
-use crate::math::{Bool, Real, Splat, Vec2};
+use crate::math::{Bool, Real, Splat, Uint, Vec2};
 use core::marker::PhantomData;
 use core::ops::Deref;
 
@@ -38,6 +38,8 @@ pub(crate) struct FragParts<L: Lanes, V> {
     pub(crate) z: Real<L>,
     /// The place in a point's square; anything if the stage does not ask for it.
     pub(crate) point_coord: Vec2<L>,
+    /// Triangle, instance and draw; anything if the stage does not ask for them.
+    pub(crate) ids: [Uint<L>; 3],
     /// Whether the triangle shows its front.
     pub(crate) front_facing: Bool<L>,
     /// The lanes that cover something, less those that the stage discards.
@@ -55,12 +57,15 @@ pub trait FragmentKind {
     const DERIVATIVES: bool;
     /// See [`Shader::POINT_COORD`].
     const POINT_COORD: bool;
+    /// See [`Shader::IDS`].
+    const IDS: bool;
 }
 
 impl<Sh: Shader> FragmentKind for Sh {
     const DISCARDS: bool = Sh::DISCARDS;
     const DERIVATIVES: bool = Sh::DERIVATIVES;
     const POINT_COORD: bool = Sh::POINT_COORD;
+    const IDS: bool = Sh::IDS;
 }
 
 impl<L: Lanes, V: Copy, K> Frag<L, V, K> {
@@ -232,6 +237,71 @@ impl<L: Lanes, V: Copy, K: FragmentKind> Frag<L, V, K> {
         self.parts.point_coord
     }
 
+    /// The number of the triangle, line or point in its draw, or in its instance of a mesh: what [`Target::triangle_ids`](crate::Target::triangle_ids) would hold. It counts
+    /// as submitted, culled and degenerate ones included. Where an edge or a corner of a triangle is drawn, it is the triangle's.
+    ///
+    /// The shader must say that it asks for ids; it is an error when it is compiled otherwise. A colour for each triangle, from nothing but its number:
+    ///
+    /// ```
+    /// use pineda::*;
+    ///
+    /// struct Facets;
+    ///
+    /// #[shader]
+    /// impl Shader for Facets {
+    ///     type Vertex = [f32; 2];
+    ///     type Varyings<L: Lanes> = ();
+    ///     const IDS: bool = true;
+    ///     fn vertex(&self, &[x, y]: &[f32; 2]) -> (Vec4, ()) {
+    ///         (Vec4::from([x, y, 0.0, 1.0]), ())
+    ///     }
+    ///     fn fragment<L: Lanes>(&self, f: &mut Fragment<L, Self>) -> Rgba<L> {
+    ///         let [r, g, b] = noise::hash3([f.triangle_id(), f.instance_id(), f.draw_id()]);
+    ///         Rgba::new(Vec3::new(r.to_unit(), g.to_unit(), b.to_unit()), 1.0)
+    ///     }
+    /// }
+    ///
+    /// let corners = [[0.0, 0.0], [0.0, 8.0], [8.0, 0.0], [8.0, 8.0]];
+    /// let state = DrawState { topology: PrimitiveTopology::TriangleStrip, space: Space::Raster, ..DrawState::default() };
+    /// let mut pass = Pass::new();
+    /// pass.draw(&Facets, Mesh { vertices: &corners, indices: Indices::Sequential }, state);
+    /// let mut pixels = vec![[0; 4]; 8 * 8];
+    /// let mut target = Target { color: ColorBuffer::Rgba8(&mut pixels), ..Target::new(8, 8) };
+    /// Renderer::new(Settings::default())?.render(&pass, &mut target)?;
+    /// assert_ne!(pixels[0], pixels[63], "two triangles of two colours");
+    /// # Ok::<(), Error>(())
+    /// ```
+    #[inline(always)]
+    pub fn triangle_id(&self) -> Uint<L> {
+        self.ids()[0]
+    }
+
+    /// The number of the [instance](crate::Pass::draw_instanced), as in [`Target::instance_ids`](crate::Target::instance_ids); 0 where a mesh is drawn once. The shader must
+    /// ask for it: see [`triangle_id`](Self::triangle_id).
+    #[inline(always)]
+    pub fn instance_id(&self) -> Uint<L> {
+        self.ids()[1]
+    }
+
+    /// The number of the draw in its pass, from 0 on, as in [`Target::draw_ids`](crate::Target::draw_ids). The shader must ask for it: see
+    /// [`triangle_id`](Self::triangle_id).
+    #[inline(always)]
+    pub fn draw_id(&self) -> Uint<L> {
+        self.ids()[2]
+    }
+
+    #[inline(always)]
+    fn ids(&self) -> [Uint<L>; 3] {
+        const {
+            assert!(
+                K::IDS,
+                "this fragment stage reads f.triangle_id(), f.instance_id() or f.draw_id(): add `const IDS: bool = true;` to its `impl Shader` \
+                 (a closure has no ids: implement `Shader` instead)"
+            );
+        }
+        self.parts.ids
+    }
+
     /// Drops the fragments in the lanes of `when`: they write neither colour nor depth. The stage goes on for the
     /// other lanes; what it returns for the dropped ones is ignored.
     ///
@@ -311,6 +381,7 @@ mod tests {
             x: lane + 0.5,
             y: constant(6.5),
             point_coord: Vec2::new(constant(0.5), constant(0.5)),
+            ids: [Uint::new(lanes, 0); 3],
             z: constant(0.25),
             front_facing: lane.lt(4.0),
             alive: Bool(lanes.mask(0x7fff)),

@@ -123,7 +123,7 @@ pub(crate) fn shade_visible_samples<S: Simd>(
         }
         shading.interpolate::<S, false>(s, &layout, &mut distinct, &mut last);
         finish_depths(s, shading, &layout, depth);
-        shading.call.run_fragments(shading.level, shading.batch);
+        shading.run_fragments();
         let further = shading.further();
         let mut i = 0;
         while i < shading.batch.len() {
@@ -314,7 +314,7 @@ pub(crate) fn shade_samples_in_order<S: Simd>(
         }
         shading.interpolate::<S, true>(s, &layout, &mut distinct, &mut last);
         finish_depths(s, shading, &layout, depth);
-        shading.call.run_fragments(shading.level, shading.batch);
+        shading.run_fragments();
         merge(s, shading, &groups, is_late);
     }
 }

@@ -6,9 +6,9 @@ use super::distinct::Fragments;
 use super::{__Row4 as Row4, Frag, FragParts, FragmentStage, Interpolation, OutputLayout, Outputs, Varyings};
 use crate::geometry::raster_space::{HALF_PIXEL, SUBPIXELS};
 use crate::lanes::Packet;
-use crate::math::{Bool, Real, Vec2};
+use crate::math::{Bool, Real, Uint, Vec2};
 use crate::raster::samples::Samples;
-use crate::raster::triangle_id::{CLIPPED_CLOCKWISE, ORDER_BITS};
+use crate::raster::triangle_id::{CLIPPED_CLOCKWISE, ORDER_BITS, TriangleId};
 use crate::tile::view::BlockLanes;
 use crate::wide::{Simd, f32x16, i32x16, mask32x16, u32x16};
 use core::marker::PhantomData;
@@ -109,6 +109,9 @@ pub(crate) struct PacketBatch {
     samples: Samples,
     /// Interpolated depths.
     z: [[f32; 16]; BATCH],
+    /// Each lane's triangle and instance, for shaders that ask for them; and the draw of all.
+    numbers: [[[u32; 16]; 2]; BATCH],
+    draw: u32,
 }
 
 impl PacketBatch {
@@ -128,6 +131,8 @@ impl PacketBatch {
             borders: [0; BATCH],
             samples: Samples::One,
             z: [[0.0; 16]; BATCH],
+            numbers: [[[0; 16]; 2]; BATCH],
+            draw: 0,
         }
     }
 
@@ -204,6 +209,21 @@ impl PacketBatch {
             let z = z.simd_gt(low).select(z, low);
             self.packets[k].depth = z.simd_lt(high).select(z, high).bitcast::<i32x16<S>>().into();
             k += 1;
+        }
+    }
+
+    /// Says of which draw the packets are, and by a function of its id, of which instance and triangle each lane is.
+    #[inline(never)]
+    pub(crate) fn number(&mut self, draw: usize, instance_and_triangle: impl Fn(TriangleId) -> (usize, usize)) {
+        self.draw = draw as u32;
+        for (packet, [triangles, instances]) in self.packets[..self.count].iter().zip(&mut self.numbers) {
+            let mut rest = packet.alive & 0xffff;
+            while rest != 0 {
+                let lane = rest.trailing_zeros() as usize & 15;
+                rest &= rest - 1;
+                let (instance, triangle) = instance_and_triangle(TriangleId(packet.ids[lane]));
+                (triangles[lane], instances[lane]) = (triangle as u32, instance as u32);
+            }
         }
     }
 
@@ -284,6 +304,7 @@ impl PacketBatch {
                 y: zero,
                 z: zero,
                 point_coord: Vec2::new(zero, zero),
+                ids: [Uint(i32x16::splat(s, 0)); 3],
                 front_facing: none,
                 alive: none,
             },
@@ -302,6 +323,12 @@ impl PacketBatch {
             }
             if St::POINT_COORD {
                 parts.point_coord = Vec2::read(Packet(s), &rows[own..]);
+            }
+            if St::IDS {
+                let [triangles, instances] = self.numbers[k & (BATCH - 1)];
+                let (triangles, instances) = (u32x16::simd_from(s, triangles), u32x16::simd_from(s, instances));
+                let draw = i32x16::splat(s, self.draw.cast_signed());
+                parts.ids = [Uint(triangles.bitcast()), Uint(instances.bitcast()), Uint(draw)];
             }
             let ids = u32x16::simd_from(s, packet.ids);
             let code: i32x16<S> = (ids & ((1 << ORDER_BITS) - 1)).bitcast();

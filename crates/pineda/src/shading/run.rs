@@ -4,6 +4,7 @@ use super::strokes::StrokeView;
 use crate::geometry::project::Projection;
 use crate::geometry::raster_space::ScreenVertex;
 use crate::pass::ProvokingVertex;
+use crate::pass::plan::Run;
 use crate::raster::corners::Corners;
 use crate::raster::triangle_id::{ORDERS, TriangleId};
 
@@ -53,6 +54,7 @@ impl Source<'_> {
 /// A run of triangles of one draw, after the vertex stage.
 #[derive(Clone, Copy)]
 pub(crate) struct RunView<'a> {
+    pub(crate) run: &'a Run<'a>,
     pub(crate) corners: Corners<'a>,
     pub(crate) source: Source<'a>,
     /// The number of its first triangle in the batch.

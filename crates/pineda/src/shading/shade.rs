@@ -69,6 +69,16 @@ impl Shading<'_> {
         interpolate::<S, SINGLE>(s, self.run, &position, layout, self.batch, distinct, last, self.cache);
     }
 
+    /// Runs the fragment stage over the batch.
+    #[inline(always)]
+    pub(super) fn run_fragments(&mut self) {
+        if self.call.reads_ids() {
+            let run = self.run;
+            self.batch.number(run.run.draw, |id| run.run.instance_and_triangle(id.number() - run.first_number));
+        }
+        self.call.run_fragments(self.level, self.batch);
+    }
+
     /// Counts the lanes of a block.
     #[inline(always)]
     fn count(&mut self, block: usize, fragments: u32, samples: u32) {
@@ -107,7 +117,7 @@ pub(crate) fn shade_visible<S: Simd>(s: S, shading: &mut Shading<'_>, packets: &
             i += 1;
         }
         shading.interpolate::<S, false>(s, &layout, &mut distinct, &mut last);
-        shading.call.run_fragments(shading.level, shading.batch);
+        shading.run_fragments();
         let mut i = 0;
         while i < shading.batch.len() {
             let packet = &shading.batch.packets()[i];
@@ -149,7 +159,7 @@ pub(crate) fn shade_in_order<S: Simd>(s: S, shading: &mut Shading<'_>, packets: 
         let rest = &packets[first..];
         if takes_singles && (shading.single.is_of(&rest[0]) || begins_with_many(rest)) {
             first += fill(s, shading, &layout, rest);
-            shading.call.run_fragments(shading.level, shading.batch);
+            shading.run_fragments();
             merge(s, shading, is_over);
             continue;
         }
@@ -191,7 +201,7 @@ pub(crate) fn shade_in_order<S: Simd>(s: S, shading: &mut Shading<'_>, packets: 
             next += 1;
         }
         shading.interpolate::<S, true>(s, &layout, &mut distinct, &mut last);
-        shading.call.run_fragments(shading.level, shading.batch);
+        shading.run_fragments();
         merge(s, shading, is_over);
         first = next;
     }

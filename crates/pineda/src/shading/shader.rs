@@ -37,6 +37,10 @@ pub trait Shader: Sized + Sync {
     /// Whether the fragment stage reads [`f.point_coord()`](super::Frag::point_coord). It takes two of the [`MAX_VARYINGS`](super::MAX_VARYINGS) numbers.
     const POINT_COORD: bool = false;
 
+    /// Whether the fragment stage reads [`f.triangle_id()`](super::Frag::triangle_id), [`f.instance_id()`](super::Frag::instance_id) or
+    /// [`f.draw_id()`](super::Frag::draw_id).
+    const IDS: bool = false;
+
     /// The side of a vertex's square in pixels where [points](crate::PrimitiveTopology::PointList) are drawn; `None`, which it is unless a shader says otherwise, is the
     /// draw's [`point_size`](crate::DrawState::point_size). It is clamped to 0 to [`MAX_POINT_SIZE`](crate::MAX_POINT_SIZE); a point whose size is NaN is dropped, as one is
     /// whose position is not finite.

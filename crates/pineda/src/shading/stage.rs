@@ -19,6 +19,8 @@ pub(crate) trait FragmentStage<L: Lanes> {
     const DERIVATIVES: bool = <Self::Kind as FragmentKind>::DERIVATIVES;
     /// Whether `point_coord` must be filled in.
     const POINT_COORD: bool = <Self::Kind as FragmentKind>::POINT_COORD;
+    /// Whether ids must be filled in.
+    const IDS: bool = <Self::Kind as FragmentKind>::IDS;
     /// The colours of the fragments in `f`.
     fn run(&self, f: &mut Frag<L, Self::V, Self::Kind>) -> Self::Out;
 }
@@ -41,6 +43,7 @@ impl FragmentKind for ClosureKind {
     const DISCARDS: bool = false;
     const DERIVATIVES: bool = false;
     const POINT_COORD: bool = false;
+    const IDS: bool = false;
 }
 
 /// What a fragment closure with the varyings `V` receives: sixteen fragments at the width [`Native`].

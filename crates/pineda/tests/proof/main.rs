@@ -9,6 +9,7 @@ mod encodings;
 mod errors;
 mod fragments;
 mod garbage;
+mod ids;
 mod multisample;
 mod occlusion;
 mod passes;

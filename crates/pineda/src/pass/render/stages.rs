@@ -312,6 +312,7 @@ fn view<'a>(
 ) -> RunView<'a> {
     let state = pass.draws[run.draw].state();
     let plain = RunView {
+        run,
         corners: run.corners(assembled),
         source: run.source(assembled),
         first_number: run.first_number,
