@@ -53,9 +53,11 @@ impl<L: Lanes> Real<L> {
     pub fn tan(self) -> Self {
         let (quadrant, x) = self.quadrant();
         let (sin, cos) = sin_cos_of_eighth(x);
-        // In odd quadrants they change places, and the sign turns: what is added to one is taken from the other.
-        let difference = (cos - sin) * quadrant.is_odd.select(1.0, 0.0).double();
-        let tangent = ((sin + difference) / (cos - difference)).round();
+        // In odd quadrants they change places, and the sign turns. Products with 0 and 1 are exact, where a difference that is added to one and taken from the other would leave
+        // too little of a sine near 0: 0.61 ULP of the tangent of the float that is nearest to a pole.
+        let odd = quadrant.is_odd.select(1.0, 0.0).double();
+        let even = quadrant.is_odd.select(0.0, 1.0).double();
+        let tangent = ((sin * even + cos * odd) / (cos * even + sin * odd)).round();
         let odd_sign = Self(L::bits_f(L::ishl(quadrant.number, 31)));
         let tangent = tangent.times_sign_of(odd_sign).times_sign_of(self);
         tangent.with_slope(self, tangent * tangent + 1.0)
