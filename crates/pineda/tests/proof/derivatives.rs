@@ -1,5 +1,6 @@
 //! Derivatives of expressions where fragments are shaded elsewhere than at pixels' centres, and where they come in order.
 
+use crate::multisample::{moved, snap};
 use crate::scene::{Layer, random_state};
 use pineda::*;
 use pineda_oracle::cases::Random;
@@ -77,24 +78,11 @@ fn draw(renderer: &mut Renderer, layers: &[Layer], samples: Samples) -> Drawing 
     Drawing::of_samples(renderer, &pass, WIDTH, HEIGHT, samples).expect("a valid pass")
 }
 
-/// On a raster that is moved so that a sample lies where pixels' centres do.
-fn moved(layers: &[Layer], [x, y]: [u8; 2]) -> Vec<Layer> {
-    let mut layers = layers.to_vec();
-    for vertex in layers.iter_mut().flat_map(|layer| &mut layer.vertices) {
-        vertex.position[0] -= (f32::from(x) - 8.0) / 16.0;
-        vertex.position[1] -= (f32::from(y) - 8.0) / 16.0;
-    }
-    layers
-}
-
 fn layer(random: &mut Random, triangles: usize) -> Layer {
     let mut layer = Layer::random(random, WIDTH, HEIGHT, triangles);
     layer.state = random_state(random);
     layer.discards = random.one_in(3);
-    for vertex in &mut layer.vertices {
-        vertex.position[0] = (vertex.position[0] * 256.0).round() / 256.0;
-        vertex.position[1] = (vertex.position[1] * 256.0).round() / 256.0;
-    }
+    snap(&mut layer);
     layer
 }
 

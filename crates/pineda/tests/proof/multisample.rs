@@ -18,7 +18,7 @@ fn draw(renderer: &mut Renderer, layers: &[Layer], samples: Samples) -> Drawing 
 }
 
 /// The layers on a raster that is moved so that a sample lies where pixels' centres do: exact, as long as positions have room for it.
-fn moved(layers: &[Layer], [x, y]: [u8; 2]) -> Vec<Layer> {
+pub(crate) fn moved(layers: &[Layer], [x, y]: [u8; 2]) -> Vec<Layer> {
     let mut layers = layers.to_vec();
     for vertex in layers.iter_mut().flat_map(|layer| &mut layer.vertices) {
         vertex.position[0] -= (f32::from(x) - 8.0) / 16.0;
@@ -27,15 +27,20 @@ fn moved(layers: &[Layer], [x, y]: [u8; 2]) -> Vec<Layer> {
     layers
 }
 
+/// Makes positions multiples of 1/256, so that what [`moved`] takes off them is exact.
+pub(crate) fn snap(layer: &mut Layer) {
+    for vertex in &mut layer.vertices {
+        vertex.position[0] = (vertex.position[0] * 256.0).round() / 256.0;
+        vertex.position[1] = (vertex.position[1] * 256.0).round() / 256.0;
+    }
+}
+
 /// Layers with positions that are multiples of 1/256.
 fn layers(random: &mut Random, count: usize, triangles: usize) -> Vec<Layer> {
     let mut layer = |_| {
         let mut layer = Layer::random(random, WIDTH, HEIGHT, triangles);
         layer.state = random_state(random);
-        for vertex in &mut layer.vertices {
-            vertex.position[0] = (vertex.position[0] * 256.0).round() / 256.0;
-            vertex.position[1] = (vertex.position[1] * 256.0).round() / 256.0;
-        }
+        snap(&mut layer);
         layer
     };
     (0..count).map(&mut layer).collect()
