@@ -7,14 +7,14 @@ use crate::{Normals, Object, Vertex};
 
 /// Drops triangles with a NaN or infinite corner and objects without triangles, replaces unusable normals and colours,
 /// and says so.
-pub(crate) fn finish(loaded: &mut Loaded) {
+pub(crate) fn finish(mut loaded: Loaded) -> Loaded {
     let [mut dropped, mut normals, mut colors] = [0; 3];
     for object in &mut loaded.scene.objects {
         dropped += drop_unbounded_triangles(object);
         normals += if object.normals == Normals::Given { replace_missing_normals(object) } else { 0 };
         colors += replace_unbounded_colors(&mut object.vertices);
     }
-    loaded.scene.objects.retain(|object| !object.triangles.is_empty());
+    loaded.scene.objects.retain(|object| !object.is_empty());
     let mut note = |count: usize, one: &str, many: &str, what: &str| {
         if count > 0 {
             loaded.notes.push(format!("{} {what}", counted(count, one, many)));
@@ -23,6 +23,7 @@ pub(crate) fn finish(loaded: &mut Loaded) {
     note(dropped, "triangle", "triangles", "dropped: a corner is infinite or not a number");
     note(normals, "normal", "normals", "without a direction replaced by the faces'");
     note(colors, "vertex colour", "vertex colours", "replaced by white: infinite or not a number");
+    loaded
 }
 
 fn drop_unbounded_triangles(object: &mut Object) -> usize {

@@ -1,15 +1,16 @@
-//! glTF 2.0 geometry, as JSON or GLB.
+//! glTF 2.0, as JSON or GLB.
 //!
 //! An own reader on `serde_json`: `gltf` 1.4 (2024) refuses files that require KHR_mesh_quantization, reads integer
 //! positions as floats, takes an accessor that is too long for its buffer for an empty one without an error, and does
 //! not look for cycles among nodes. What is left once all that is done by hand is the list of fields.
 //!
 //! ```text
-//! bytes -> glb        JSON and binary chunk
-//!       -> schema     the JSON as structs
-//!       -> extensions what the file requires, against what there is
-//!       -> nodes      each node of the scene that has a mesh, with its world transform
-//!       -> primitive  accessors -> an Object each
+//! once:      bytes -> glb        JSON and binary chunk
+//!                  -> schema     the JSON as structs
+//!                  -> extensions what the file requires, against what there is
+//!                  -> buffers    their bytes
+//! each pose:       -> nodes      each node of the scene that has a mesh, with its world transform
+//!                  -> primitive  accessors -> an Object each
 //! ```
 
 mod accessor;
@@ -22,37 +23,71 @@ mod primitive;
 mod schema;
 mod transform;
 
+use std::borrow::Cow;
+
 use crate::limits::Budget;
+use crate::model::{Contents, ResolvedPose};
 use crate::{Error, Loaded, Resolver, Scene, note};
 use buffers::Buffers;
 use primitive::{PrimitiveReader, Skipped};
 use schema::Root;
 
-/// Reads a glTF file and the buffers that it names, as far as its geometry needs them.
-pub(crate) fn read(bytes: &[u8], files: &dyn Resolver, budget: &mut Budget) -> Result<Loaded, Error> {
-    let container = glb::split(bytes)?;
-    let root = schema::parse(container.json)?;
-    extensions::check_required(&root)?;
-    let buffers = Buffers::new(&root.buffers, container.binary, files);
-    let default_material = root.materials.len();
-    let mut reader = PrimitiveReader::new(&root, &buffers, default_material);
-    let mut objects = Vec::new();
-    let mut skinned = 0;
-    nodes::for_each_mesh(&root, budget.nesting(), |node, mesh, world| {
-        skinned += usize::from(node.skin.is_some());
-        for number in 0..root.meshes[mesh].primitives.len() {
-            budget.objects(1)?;
-            objects.extend(reader.read(node, mesh, number, &world, budget)?);
-        }
-        Ok(())
-    })?;
-    let skipped = reader.skipped;
-    let mut materials = materials::materials(&root);
-    if objects.iter().any(|object| object.material == default_material) {
-        materials.push(materials::default());
+/// A glTF file that has been read, and the files that it names.
+#[derive(Debug)]
+pub(crate) struct Document {
+    root: Root,
+    buffers: Buffers,
+    /// What the limits left after reading: where each pose begins.
+    budget: Budget,
+}
+
+impl Document {
+    pub(crate) fn read(bytes: Cow<'_, [u8]>, files: &dyn Resolver, mut budget: Budget) -> Result<Self, Error> {
+        let container = glb::split(&bytes)?;
+        let mut root = schema::parse(&bytes[container.json])?;
+        extensions::check_required(&root)?;
+        let binary = container.binary.map(|range| {
+            let mut bytes = bytes.into_owned();
+            bytes.truncate(range.end);
+            bytes.drain(..range.start);
+            bytes
+        });
+        let buffers = Buffers::read(&mut root, binary, files, &mut budget);
+        Ok(Self { root, buffers, budget })
     }
-    let notes = notes(&root, &skipped, skinned);
-    Ok(Loaded { scene: Scene { objects, materials }, notes })
+
+    /// The scene in a pose, not yet cleaned of what cannot be drawn.
+    pub(crate) fn scene(&self, pose: &ResolvedPose) -> Result<Loaded, Error> {
+        let root = &self.root;
+        let mut budget = self.budget.clone();
+        let default_material = root.materials.len();
+        let mut reader = PrimitiveReader::new(root, &self.buffers, default_material);
+        let mut objects = Vec::new();
+        let mut skinned = 0;
+        nodes::for_each_mesh(root, pose.scene, budget.nesting(), |node, mesh, world| {
+            skinned += usize::from(node.skin.is_some());
+            for number in 0..root.meshes[mesh].primitives.len() {
+                budget.objects(1)?;
+                objects.extend(reader.read(node, mesh, number, &world, &mut budget)?);
+            }
+            Ok(())
+        })?;
+        let skipped = reader.skipped;
+        let mut materials = materials::materials(root);
+        if objects.iter().any(|object| object.material == default_material) {
+            materials.push(crate::Material::gltf());
+        }
+        let notes = notes(root, &skipped, skinned);
+        Ok(Loaded { scene: Scene { objects, materials, ..Scene::default() }, notes })
+    }
+
+    /// What there is to choose from.
+    pub(crate) fn contents(&self) -> Contents {
+        let name = |name: &Option<String>| crate::text::shown(name.as_deref().unwrap_or_default().as_bytes()).into();
+        let scenes = self.root.scenes.iter().map(|scene| name(&scene.name)).collect();
+        let default_scene = self.root.scene.map_or(0, |scene| scene.index());
+        Contents { scenes, default_scene, ..Contents::default() }
+    }
 }
 
 fn notes(root: &Root, skipped: &Skipped, skinned: usize) -> Vec<String> {

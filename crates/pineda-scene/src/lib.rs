@@ -16,7 +16,7 @@
 //! assert_eq!(square.vertices[0].normal, [0.0, 0.0, 1.0]);
 //! assert!(loaded.notes.is_empty());
 //!
-//! let bounds = Bounds::of(&loaded.scene).expect("a loaded scene has triangles");
+//! let bounds = Bounds::of(&loaded.scene).expect("a loaded scene is not empty");
 //! let camera = Framing::new(&bounds, &View::default())?;
 //! assert_eq!(camera.target, [0.5, 0.5, 0.0]);
 //! # Ok::<(), pineda_scene::Error>(())
@@ -41,6 +41,7 @@
 //! conversion and the [`libm`] crate touches a number.
 
 mod bounds;
+mod camera;
 mod color;
 mod demo;
 mod error;
@@ -50,24 +51,35 @@ mod framing;
 mod gltf;
 mod limits;
 mod load;
+mod material;
+mod model;
 mod normals;
 mod note;
 mod obj;
 mod ply;
 mod polygon;
+mod pose;
 mod resolver;
 mod scene;
 mod stl;
 mod text;
+mod texture;
 mod vector;
 
 pub use bounds::Bounds;
+pub use camera::{Camera, Light, LightKind, Projection};
 pub use demo::demo;
 pub use error::Error;
 pub use format::Format;
 pub use framing::{Framing, View};
 pub use limits::Limits;
 pub use load::{Loaded, load, load_bytes, load_with};
+pub use material::{
+    AlphaMode, Anisotropy, Clearcoat, Iridescence, Material, Sheen, Specular, SpecularGlossiness, Transmission, Volume,
+};
+pub use model::{Animation, Contents, Model};
 pub use normals::{flat_normals, smooth_normals};
+pub use pose::{Pose, Select};
 pub use resolver::{Folder, NoFiles, Resolver};
-pub use scene::{AlphaMode, Material, Normals, Object, Scene, Vertex};
+pub use scene::{Normals, Object, Scene, Vertex};
+pub use texture::{Filter, Image, Sampler, Texels, Texture, TextureRef, Wrap};

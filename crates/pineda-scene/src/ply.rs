@@ -126,8 +126,8 @@ impl Body {
         }
         let normals = if has_normals { Normals::Given } else { Normals::Absent };
         budget.objects(1)?;
-        let objects = vec![Object { name: "".into(), vertices, triangles, material: 0, normals }];
-        Ok(Loaded { scene: Scene { objects, materials: vec![Material::default()] }, notes })
+        let objects = vec![Object { vertices, triangles, normals, ..Object::default() }];
+        Ok(Loaded { scene: Scene { objects, materials: vec![Material::default()], ..Scene::default() }, notes })
     }
 }
 

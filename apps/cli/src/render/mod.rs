@@ -93,7 +93,24 @@ fn scene(arguments: &RenderArguments) -> Result<pineda_scene::Scene, Failure> {
         }
         error => Failure::data(error).at(path.display()),
     })?;
-    for note in &loaded.notes {
+    let objects = &loaded.scene.objects;
+    let [lines, points]: [usize; 2] =
+        [objects.iter().map(|o| o.lines.len()).sum(), objects.iter().map(|o| o.points.len()).sum()];
+    let mut notes = loaded.notes;
+    for (count, one, many) in [(lines, "line", "lines"), (points, "point", "points")] {
+        if count > 0 {
+            notes.push(format!(
+                "lines and points are not drawn yet: {count} {} skipped",
+                if count == 1 { one } else { many }
+            ));
+        }
+    }
+    if objects.iter().all(|object| object.triangles.is_empty()) {
+        return Err(
+            Failure::data(format_args!("the model has nothing to draw ({})", notes.join("; "))).at(path.display())
+        );
+    }
+    for note in &notes {
         // Nobody is left to tell if standard error is closed.
         let _ = writeln!(std::io::stderr(), "note: {note}");
     }
@@ -104,7 +121,7 @@ fn scene(arguments: &RenderArguments) -> Result<pineda_scene::Scene, Failure> {
 fn predicate(error: &pineda_scene::Error) -> String {
     use pineda_scene::Error;
     match error {
-        Error::Read { .. } | Error::UnknownFormat | Error::Limit { .. } | Error::NoTriangles { .. } => {
+        Error::Read { .. } | Error::UnknownFormat | Error::Limit { .. } | Error::NothingToDraw { .. } => {
             error.to_string()
         }
         _ => format!("cannot be read: {error}"),

@@ -131,14 +131,14 @@ impl Component {
 /// What accessors are resolved against.
 pub(super) struct Accessors<'a> {
     pub(super) root: &'a Root,
-    buffers: &'a Buffers<'a>,
+    buffers: &'a Buffers,
     /// The accessors whose elements have been counted and whose sparse indices have been looked at, so that a node
     /// more costs no more.
     known: Vec<Cell<bool>>,
 }
 
 impl<'a> Accessors<'a> {
-    pub(super) fn new(root: &'a Root, buffers: &'a Buffers<'a>) -> Self {
+    pub(super) fn new(root: &'a Root, buffers: &'a Buffers) -> Self {
         Self { root, buffers, known: vec![Cell::new(false); root.accessors.len()] }
     }
 
@@ -165,11 +165,11 @@ impl<'a> Accessors<'a> {
         let count = definition.count;
         let size = channels * component.size();
         let dense = match definition.buffer_view {
-            Some(view) => Some(self.elements(view, definition.byte_offset, size, count, &place, budget)?),
+            Some(view) => Some(self.elements(view, definition.byte_offset, size, count, &place)?),
             None => None,
         };
         let sparse = match &definition.sparse {
-            Some(sparse) => Some(self.overlay(sparse, size, &place, budget)?),
+            Some(sparse) => Some(self.overlay(sparse, size, &place)?),
             None => None,
         };
         if !self.known[number.index()].replace(true) {
@@ -197,12 +197,11 @@ impl<'a> Accessors<'a> {
         size: usize,
         count: Whole,
         place: &str,
-        budget: &mut Budget,
     ) -> Result<Elements<'a>, Error> {
         let wrong = |message: String| Error::gltf(format!("{place}, buffer view {view}"), message);
         let definition =
             self.root.buffer_views.get(view.index()).ok_or_else(|| wrong("it does not exist".to_owned()))?;
-        let buffer: &'a [u8] = self.buffers.get(definition.buffer.index(), budget)?;
+        let buffer: &'a [u8] = self.buffers.get(definition.buffer.index())?;
         let (start, length) = (definition.byte_offset.0, definition.byte_length.0);
         let end = start.saturating_add(length);
         if end > buffer.len() as u64 {
@@ -225,7 +224,7 @@ impl<'a> Accessors<'a> {
         Ok(Elements { bytes: &buffer[from..end as usize], stride: stride as usize })
     }
 
-    fn overlay(&self, sparse: &Sparse, size: usize, place: &str, budget: &mut Budget) -> Result<Overlay<'a>, Error> {
+    fn overlay(&self, sparse: &Sparse, size: usize, place: &str) -> Result<Overlay<'a>, Error> {
         let place = format!("{place}, sparse");
         let wrong = |message: String| Error::gltf(place.as_str(), message);
         let code = sparse.indices.component_type;
@@ -233,9 +232,9 @@ impl<'a> Accessors<'a> {
         let component =
             component.ok_or_else(|| wrong(format!("indices of component type {code}: expected 5121, 5123 or 5125")))?;
         let at = &sparse.indices;
-        let indices = self.elements(at.buffer_view, at.byte_offset, component.size(), sparse.count, &place, budget)?;
+        let indices = self.elements(at.buffer_view, at.byte_offset, component.size(), sparse.count, &place)?;
         let at = &sparse.values;
-        let values = self.elements(at.buffer_view, at.byte_offset, size, sparse.count, &place, budget)?;
+        let values = self.elements(at.buffer_view, at.byte_offset, size, sparse.count, &place)?;
         Ok(Overlay { count: sparse.count.index(), component, indices, values })
     }
 }

@@ -1,62 +1,86 @@
-//! The bytes of buffers: from files, data URIs or the GLB's binary chunk, each when it is first asked for.
-
-use std::borrow::Cow;
-use std::cell::OnceCell;
+//! The bytes of buffers: from files, data URIs or the GLB's binary chunk.
 
 use base64::Engine;
 use base64::alphabet::STANDARD;
 use base64::engine::{DecodePaddingMode, GeneralPurpose, GeneralPurposeConfig};
 
-use super::schema::Buffer;
+use super::schema::Root;
 use crate::limits::Budget;
 use crate::resolver::{path_inside, percent_decode, percent_decode_bytes};
 use crate::text::shown;
 use crate::{Error, Resolver};
 
-pub(super) struct Buffers<'a> {
-    definitions: &'a [Buffer],
-    binary: Option<&'a [u8]>,
-    files: &'a dyn Resolver,
-    loaded: Vec<OnceCell<Cow<'a, [u8]>>>,
+/// Each buffer's bytes, or why they are not there.
+#[derive(Debug, Default)]
+pub(super) struct Buffers {
+    loaded: Vec<Option<Result<Vec<u8>, Error>>>,
 }
 
-impl<'a> Buffers<'a> {
-    pub(super) fn new(definitions: &'a [Buffer], binary: Option<&'a [u8]>, files: &'a dyn Resolver) -> Self {
-        Self { definitions, binary, files, loaded: definitions.iter().map(|_| OnceCell::new()).collect() }
+impl Buffers {
+    /// Reads those buffers that buffer views name. A buffer that cannot be read is an error for who needs it.
+    pub(super) fn read(root: &mut Root, binary: Option<Vec<u8>>, files: &dyn Resolver, budget: &mut Budget) -> Self {
+        let mut is_named = vec![false; root.buffers.len()];
+        for view in root.buffer_views.iter() {
+            if let Some(is_named) = is_named.get_mut(view.buffer.index()) {
+                *is_named = true;
+            }
+        }
+        let mut binary = binary;
+        let mut loaded = Vec::with_capacity(root.buffers.len());
+        for (number, (buffer, is_named)) in root.buffers.iter_mut().zip(is_named).enumerate() {
+            // Not needed twice, and data URIs are long.
+            let uri = buffer.uri.take();
+            loaded.push(is_named.then(|| match uri {
+                Some(uri) => load(number, &uri, files, budget),
+                None => match binary.take() {
+                    Some(binary) if number == 0 => Ok(binary),
+                    _ => Err(wrong(
+                        number,
+                        "it has neither a URI nor a GLB's binary chunk: its bytes are not in the file".to_owned(),
+                    )),
+                },
+            }));
+        }
+        Self { loaded }
     }
 
     /// A buffer's bytes: those that there are, which may be more or fewer than it says.
-    pub(super) fn get(&self, number: usize, budget: &mut Budget) -> Result<&[u8], Error> {
-        let Some(cell) = self.loaded.get(number) else {
-            return Err(Error::gltf(format!("buffer {number}"), "a buffer view names it, but it does not exist"));
-        };
-        if let Some(bytes) = cell.get() {
-            return Ok(bytes);
+    pub(super) fn get(&self, number: usize) -> Result<&[u8], Error> {
+        match self.loaded.get(number) {
+            Some(Some(Ok(bytes))) => Ok(bytes),
+            Some(Some(Err(error))) => Err(again(error)),
+            _ => Err(wrong(number, "a buffer view names it, but it does not exist".to_owned())),
         }
-        let bytes = self.load(number, budget)?;
-        Ok(cell.get_or_init(|| bytes))
     }
+}
 
-    fn load(&self, number: usize, budget: &mut Budget) -> Result<Cow<'a, [u8]>, Error> {
-        let wrong = |message: String| Error::gltf(format!("buffer {number}"), message);
-        let Some(uri) = &self.definitions[number].uri else {
-            return match self.binary {
-                Some(binary) if number == 0 => Ok(Cow::Borrowed(binary)),
-                _ => Err(wrong(
-                    "it has neither a URI nor a GLB's binary chunk: its bytes are not in the file".to_owned(),
-                )),
-            };
-        };
-        if let Some(data) = data_uri(uri) {
-            return data.map(Cow::Owned).map_err(wrong);
+fn wrong(number: usize, message: String) -> Error {
+    Error::gltf(format!("buffer {number}"), message)
+}
+
+fn load(number: usize, uri: &str, files: &dyn Resolver, budget: &mut Budget) -> Result<Vec<u8>, Error> {
+    if let Some(data) = data_uri(uri) {
+        return data.map_err(|message| wrong(number, message));
+    }
+    let Some(path) = percent_decode(uri).as_deref().and_then(path_inside) else {
+        return Err(Error::OutsideFolder { uri: shown(uri.as_bytes()) });
+    };
+    let side_file = |error| Error::SideFile { uri: shown(uri.as_bytes()), error };
+    let bytes = files.read(&path, budget.bytes_left()).map_err(side_file)?;
+    budget.add_bytes(bytes.len() as u64)?;
+    Ok(bytes)
+}
+
+/// The same error once more; system errors cannot be cloned.
+fn again(error: &Error) -> Error {
+    match error {
+        Error::SideFile { uri, error } => {
+            Error::SideFile { uri: uri.clone(), error: std::io::Error::new(error.kind(), error.to_string()) }
         }
-        let Some(path) = percent_decode(uri).as_deref().and_then(path_inside) else {
-            return Err(Error::OutsideFolder { uri: shown(uri.as_bytes()) });
-        };
-        let side_file = |error| Error::SideFile { uri: shown(uri.as_bytes()), error };
-        let bytes = self.files.read(&path, budget.bytes_left()).map_err(side_file)?;
-        budget.add_bytes(bytes.len() as u64)?;
-        Ok(Cow::Owned(bytes))
+        Error::OutsideFolder { uri } => Error::OutsideFolder { uri: uri.clone() },
+        Error::Limit { what, count, limit, field } => Error::Limit { what, count: *count, limit: *limit, field },
+        Error::Gltf { place, message } => Error::gltf(place.as_str(), message.as_str()),
+        other => Error::gltf("buffers", other.to_string()),
     }
 }
 

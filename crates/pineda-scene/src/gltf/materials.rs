@@ -14,13 +14,9 @@ pub(super) fn materials(root: &Root) -> Vec<Material> {
             Some("BLEND") => AlphaMode::Blend,
             _ => AlphaMode::Opaque,
         },
+        ..Material::gltf()
     };
     root.materials.iter().map(convert).collect()
-}
-
-/// What a primitive without a material has: white, and seen from the front only.
-pub(super) fn default() -> Material {
-    Material { double_sided: false, ..Material::default() }
 }
 
 pub(super) fn note(root: &Root) -> Option<String> {

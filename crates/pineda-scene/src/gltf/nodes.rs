@@ -4,19 +4,19 @@ use super::schema::{Node, Root, Whole};
 use super::transform::Affine;
 use crate::Error;
 
-/// Calls `visit` with each node of the default scene that has a mesh, its mesh's number and its world transform;
+/// Calls `visit` with each node of a scene that has a mesh, its mesh's number and its world transform;
 /// parents before children, children in their order.
 ///
-/// The default scene, or else the first; in a file without scenes, all nodes that are nobody's child. glTF's nodes form
-/// trees: a node that comes up twice (a cycle, two parents) is an error, and so nothing here runs for ever.
+/// In a file without scenes these are all nodes that are nobody's child. glTF's nodes form trees: a node that comes up twice (a cycle, two parents) is an error, and so nothing here runs for ever.
 pub(super) fn for_each_mesh(
     root: &Root,
+    scene: usize,
     deepest: u64,
     mut visit: impl FnMut(&Node, usize, Affine) -> Result<(), Error>,
 ) -> Result<(), Error> {
     let mut seen = vec![false; root.nodes.len()];
     let mut stack: Vec<(Whole, u64, Affine)> =
-        scene_roots(root)?.into_iter().rev().map(|node| (node, 0, Affine::IDENTITY)).collect();
+        scene_roots(root, scene).into_iter().rev().map(|node| (node, 0, Affine::IDENTITY)).collect();
     while let Some((number, depth, parent)) = stack.pop() {
         let wrong = |message: &str| Err(Error::gltf(format!("node {number}"), message));
         let Some(node) = root.nodes.get(number.index()) else {
@@ -45,16 +45,9 @@ pub(super) fn for_each_mesh(
     Ok(())
 }
 
-fn scene_roots(root: &Root) -> Result<Vec<Whole>, Error> {
-    let scene = match root.scene {
-        Some(number) => {
-            let missing = || Error::gltf(format!("scene {number}"), "it is the default scene, but does not exist");
-            Some(root.scenes.get(number.index()).ok_or_else(missing)?)
-        }
-        None => root.scenes.first(),
-    };
-    if let Some(scene) = scene {
-        return Ok(scene.nodes.to_vec());
+fn scene_roots(root: &Root, scene: usize) -> Vec<Whole> {
+    if let Some(scene) = root.scenes.get(scene) {
+        return scene.nodes.to_vec();
     }
     let mut is_child = vec![false; root.nodes.len()];
     for child in root.nodes.iter().flat_map(|node| node.children.iter()) {
@@ -62,5 +55,5 @@ fn scene_roots(root: &Root) -> Result<Vec<Whole>, Error> {
             *is_child = true;
         }
     }
-    Ok((0..).map(Whole).zip(is_child).filter(|&(_, is_child)| !is_child).map(|(node, _)| node).collect())
+    (0..).map(Whole).zip(is_child).filter(|&(_, is_child)| !is_child).map(|(node, _)| node).collect()
 }

@@ -30,7 +30,7 @@ pub(super) struct Skipped {
 const UNUSED: u32 = u32::MAX;
 
 impl<'a> PrimitiveReader<'a> {
-    pub(super) fn new(root: &'a Root, buffers: &'a Buffers<'a>, default_material: usize) -> Self {
+    pub(super) fn new(root: &'a Root, buffers: &'a Buffers, default_material: usize) -> Self {
         Self {
             accessors: Accessors::new(root, buffers),
             default_material,
@@ -95,7 +95,8 @@ impl<'a> PrimitiveReader<'a> {
         }
         let name = root.meshes[mesh].name.as_deref().or(node.name()).unwrap_or_default();
         let normals = if attributes.normal.is_some() { Normals::Given } else { Normals::Absent };
-        Ok(Some(Object { name: shown(name.as_bytes()).into(), vertices, triangles, material, normals }))
+        let name = shown(name.as_bytes()).into();
+        Ok(Some(Object { name, vertices, triangles, material, normals, ..Object::default() }))
     }
 
     fn attributes(

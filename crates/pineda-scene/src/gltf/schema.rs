@@ -2,14 +2,14 @@
 
 use std::fmt;
 use std::marker::PhantomData;
-use std::ops::Deref;
+use std::ops::{Deref, DerefMut};
 
 use serde::de::{self, IgnoredAny, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer};
 
 use crate::{Error, Limits};
 
-#[derive(Deserialize)]
+#[derive(Debug, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub(super) struct Root {
     asset: Asset,
@@ -40,18 +40,19 @@ pub(super) struct Root {
     pub(super) extensions_required: List<String>,
 }
 
-#[derive(Deserialize)]
+#[derive(Debug, Deserialize)]
 struct Asset {
     version: String,
 }
 
-#[derive(Deserialize)]
+#[derive(Debug, Deserialize)]
 pub(super) struct Scene {
+    pub(super) name: Option<String>,
     #[serde(default)]
     pub(super) nodes: List<Whole>,
 }
 
-#[derive(Deserialize)]
+#[derive(Debug, Deserialize)]
 pub(super) struct Node {
     name: Option<String>,
     pub(super) mesh: Option<Whole>,
@@ -73,14 +74,14 @@ impl Node {
     }
 }
 
-#[derive(Deserialize)]
+#[derive(Debug, Deserialize)]
 pub(super) struct Mesh {
     pub(super) name: Option<String>,
     pub(super) primitives: List<Primitive>,
     pub(super) weights: Option<List<f64>>,
 }
 
-#[derive(Deserialize)]
+#[derive(Debug, Deserialize)]
 pub(super) struct Primitive {
     pub(super) attributes: Attributes,
     pub(super) indices: Option<Whole>,
@@ -92,7 +93,7 @@ pub(super) struct Primitive {
     pub(super) extensions: PrimitiveExtensions,
 }
 
-#[derive(Deserialize)]
+#[derive(Debug, Deserialize)]
 pub(super) struct Attributes {
     #[serde(rename = "POSITION")]
     pub(super) position: Option<Whole>,
@@ -102,13 +103,13 @@ pub(super) struct Attributes {
     pub(super) color: Option<Whole>,
 }
 
-#[derive(Default, Deserialize)]
+#[derive(Debug, Default, Deserialize)]
 pub(super) struct PrimitiveExtensions {
     #[serde(rename = "KHR_draco_mesh_compression")]
     pub(super) draco: Option<IgnoredAny>,
 }
 
-#[derive(Deserialize)]
+#[derive(Debug, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub(super) struct Material {
     pub(super) name: Option<String>,
@@ -120,13 +121,13 @@ pub(super) struct Material {
     pub(super) alpha_cutoff: Option<f32>,
 }
 
-#[derive(Default, Deserialize)]
+#[derive(Debug, Default, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub(super) struct PbrMetallicRoughness {
     pub(super) base_color_factor: Option<[f32; 4]>,
 }
 
-#[derive(Deserialize)]
+#[derive(Debug, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub(super) struct Accessor {
     pub(super) buffer_view: Option<Whole>,
@@ -141,14 +142,14 @@ pub(super) struct Accessor {
     pub(super) sparse: Option<Box<Sparse>>,
 }
 
-#[derive(Deserialize)]
+#[derive(Debug, Deserialize)]
 pub(super) struct Sparse {
     pub(super) count: Whole,
     pub(super) indices: SparseIndices,
     pub(super) values: SparseValues,
 }
 
-#[derive(Deserialize)]
+#[derive(Debug, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub(super) struct SparseIndices {
     pub(super) buffer_view: Whole,
@@ -157,7 +158,7 @@ pub(super) struct SparseIndices {
     pub(super) component_type: Whole,
 }
 
-#[derive(Deserialize)]
+#[derive(Debug, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub(super) struct SparseValues {
     pub(super) buffer_view: Whole,
@@ -165,7 +166,7 @@ pub(super) struct SparseValues {
     pub(super) byte_offset: Whole,
 }
 
-#[derive(Deserialize)]
+#[derive(Debug, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub(super) struct BufferView {
     pub(super) buffer: Whole,
@@ -175,7 +176,7 @@ pub(super) struct BufferView {
     pub(super) byte_stride: Option<Whole>,
 }
 
-#[derive(Deserialize)]
+#[derive(Debug, Deserialize)]
 pub(super) struct Buffer {
     pub(super) uri: Option<String>,
 }
@@ -192,6 +193,11 @@ pub(super) fn parse(json: &[u8]) -> Result<Root, Error> {
         old_version(json).unwrap_or_else(|| as_error(&error))
     })?;
     check_version(&root.asset)?;
+    if let Some(scene) = root.scene
+        && scene.index() >= root.scenes.len()
+    {
+        return Err(Error::gltf(format!("scene {scene}"), "it is the default scene, but does not exist"));
+    }
     Ok(root)
 }
 
@@ -205,7 +211,7 @@ fn check_version(asset: &Asset) -> Result<(), Error> {
 }
 
 fn old_version(json: &[u8]) -> Option<Error> {
-    #[derive(Deserialize)]
+    #[derive(Debug, Deserialize)]
     struct Head {
         asset: Asset,
     }
@@ -264,6 +270,7 @@ impl<'de> Deserialize<'de> for Whole {
 }
 
 /// A list of at most [`Limits::JSON_LIST`] elements.
+#[derive(Debug)]
 pub(super) struct List<T>(Vec<T>);
 
 impl<T> Default for List<T> {
@@ -277,6 +284,12 @@ impl<T> Deref for List<T> {
 
     fn deref(&self) -> &[T] {
         &self.0
+    }
+}
+
+impl<T> DerefMut for List<T> {
+    fn deref_mut(&mut self) -> &mut [T] {
+        &mut self.0
     }
 }
 

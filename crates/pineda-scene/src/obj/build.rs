@@ -30,13 +30,13 @@ pub(super) fn build(
         let name = group.name.as_str().into();
         drop(group);
         let (vertices, triangles, normals) = sources.assemble(&triangles, budget)?;
-        objects.push(Object { name, vertices, triangles, material, normals });
+        objects.push(Object { name, vertices, triangles, material, normals, ..Object::default() });
     }
     polygon::notes(too_small, gave_up, &mut notes);
     notes.extend(
         sources.skipped.iter().map(|(what, count)| format!("{} skipped", note::counted(*count, what.one, what.many))),
     );
-    Ok(Loaded { scene: Scene { objects, materials }, notes })
+    Ok(Loaded { scene: Scene { objects, materials, ..Scene::default() }, notes })
 }
 
 /// The file's materials in its order and, where faces have none, a default one behind them; and the default's number.

@@ -3,7 +3,7 @@
 
 use std::path::Path;
 
-use pineda_scene::{Bounds, Folder, Format, Framing, Limits, NoFiles, Resolver, View, load_bytes};
+use pineda_scene::{Bounds, Folder, Format, Framing, Limits, NoFiles, Resolver, Scene, Texels, View, load_bytes};
 
 use crate::gltf_file::File;
 use crate::models;
@@ -16,18 +16,44 @@ const LIMITS: Limits = Limits {
     expanded: 1 << 21,
     objects: 1 << 12,
     nesting: 64,
+    image_pixels: 1 << 20,
+    pixels: 1 << 21,
+    expanded_pixels: 1 << 20,
 };
 
 fn try_to_read(bytes: &[u8], format: Format, files: &dyn Resolver) {
     let Ok(loaded) = load_bytes(bytes, format, files, &LIMITS) else { return };
     let scene = loaded.scene;
     for object in &scene.objects {
-        assert!(!object.triangles.is_empty() && object.material < scene.materials.len());
-        for &v in object.triangles.iter().flatten() {
+        assert!(!object.is_empty() && object.material < scene.materials.len());
+        for v in object.indices() {
             assert!(object.vertices[v as usize].position.iter().all(|c| c.is_finite()));
         }
     }
+    check(&scene);
     Framing::new(&Bounds::of(&scene).unwrap(), &View::default()).unwrap();
+}
+
+/// What a renderer relies on.
+fn check(scene: &Scene) {
+    for object in &scene.objects {
+        let count = object.vertices.len();
+        assert!(object.uvs.iter().all(|uvs| uvs.len() == count));
+        assert!(object.tangents.is_empty() || object.tangents.len() == count);
+    }
+    for reference in scene.materials.iter().flat_map(|material| material.textures()) {
+        assert!(reference.texture < scene.textures.len());
+    }
+    for texture in &scene.textures {
+        assert!(texture.image < scene.images.len());
+    }
+    for image in &scene.images {
+        let pixels = match &image.texels {
+            Texels::Rgba8(texels) => texels.len(),
+            Texels::Rgba16(texels) => texels.len(),
+        };
+        assert!(pixels > 0 && pixels as u64 == u64::from(image.width) * u64::from(image.height));
+    }
 }
 
 /// The same numbers in every run: a linear congruential generator (Knuth's MMIX).

@@ -75,7 +75,7 @@ fn models_all_load_or_say_why_not() {
             Err(error) => {
                 assert!(path.ends_with("points_ascii.ply"), "{error}");
                 assert!(
-                    error.to_string().ends_with("has no triangles to draw (points are not drawn: 5 vertices)"),
+                    error.to_string().ends_with("has nothing to draw (points are not drawn: 5 vertices)"),
                     "{error}"
                 );
             }

@@ -219,9 +219,9 @@ fn obj_errors_name_the_line() {
 
 #[test]
 fn obj_without_triangles_says_what_there_is() {
-    crate::fails(Format::Obj, "", &["no triangles"]);
-    crate::fails(Format::Obj, "v 0 0 0\nv 1 1 1\nl 1 2", &["no triangles", "1 line element skipped"]);
-    crate::fails(Format::Obj, "v 0 0 0\nv 1 1 nan\nf 1 2 2", &["no triangles", "not a number"]);
+    crate::fails(Format::Obj, "", &["nothing to draw"]);
+    crate::fails(Format::Obj, "v 0 0 0\nv 1 1 1\nl 1 2", &["nothing to draw", "1 line element skipped"]);
+    crate::fails(Format::Obj, "v 0 0 0\nv 1 1 nan\nf 1 2 2", &["nothing to draw", "not a number"]);
 }
 
 #[test]

@@ -186,7 +186,7 @@ fn ply_notes() {
 #[test]
 fn ply_points_only_is_an_error() {
     let text = format!("ply\nformat ascii 1.0\nelement vertex 1\n{XYZ}end_header\n1 2 3\n");
-    crate::fails(Format::Ply, text, &["no triangles", "points are not drawn: 1 vertex"]);
+    crate::fails(Format::Ply, text, &["nothing to draw", "points are not drawn: 1 vertex"]);
 }
 
 #[test]
