@@ -13,7 +13,9 @@ mod blending;
 mod coverage;
 mod depth;
 mod interpolation;
+mod lookups;
 mod ours;
+mod reference;
 mod samples;
 mod shapes;
 mod sheet;
@@ -21,6 +23,7 @@ mod states;
 mod stencil;
 mod strokes;
 mod tally;
+mod textures;
 mod theirs;
 
 use crate::cli::Conformance;
@@ -64,6 +67,13 @@ const GROUPS: &[Group] = &[
     ("averages, 8 bits", samples::unorm8),
     ("averages, sRGB", samples::srgb8),
     ("averages, f16", samples::float16),
+    ("textures, nearest", textures::nearest),
+    ("textures, linear", textures::linear),
+    ("textures, trilinear", textures::trilinear),
+    ("textures, cubes", textures::cubes),
+    ("textures, compared", textures::comparisons),
+    ("detail of gradients", textures::gradients),
+    ("detail of surfaces", textures::surfaces),
 ];
 
 /// Both renderers, and which cases to draw.

@@ -162,7 +162,7 @@ fn factor(factor: BlendFactor) -> wgpu::BlendFactor {
     }
 }
 
-fn compare(compare: Compare) -> wgpu::CompareFunction {
+pub(super) fn compare(compare: Compare) -> wgpu::CompareFunction {
     match compare {
         Compare::Never => wgpu::CompareFunction::Never,
         Compare::Less => wgpu::CompareFunction::Less,

@@ -18,6 +18,9 @@ pub(crate) enum Row {
     LineCorners,
     AlphaToCoverage,
     LineBounds,
+    EightBitFiltering,
+    LinearLogarithm,
+    Quads,
 }
 
 impl Row {
@@ -33,6 +36,9 @@ impl Row {
             Self::LineCorners => "line corners",
             Self::AlphaToCoverage => "alpha to coverage",
             Self::LineBounds => "line bounds",
+            Self::EightBitFiltering => "8-bit filtering",
+            Self::LinearLogarithm => "linear logarithm",
+            Self::Quads => "quads",
         }
     }
 }
@@ -115,6 +121,9 @@ mod tests {
             Row::LineCorners,
             Row::AlphaToCoverage,
             Row::LineBounds,
+            Row::EightBitFiltering,
+            Row::LinearLogarithm,
+            Row::Quads,
         ] {
             assert!(table.contains(&format!("| {} |", row.as_str())), "{row:?}");
         }

@@ -7,13 +7,19 @@ use anyhow::{Context, Result};
 use std::collections::HashMap;
 use wgpu::util::{BufferInitDescriptor, DeviceExt};
 
+pub(crate) mod lookups;
+
 /// What a run wants of WebGPU's optional features.
-const WANTED: wgpu::Features = wgpu::Features::DEPTH_CLIP_CONTROL.union(wgpu::Features::FLOAT32_BLENDABLE);
+const WANTED: wgpu::Features = wgpu::Features::DEPTH_CLIP_CONTROL
+    .union(wgpu::Features::FLOAT32_BLENDABLE)
+    .union(wgpu::Features::FLOAT32_FILTERABLE)
+    .union(wgpu::Features::ADDRESS_MODE_CLAMP_TO_BORDER);
 
 /// The driver's device, and the pipelines that it has built.
 pub(crate) struct Theirs {
     device: Device,
     module: wgpu::ShaderModule,
+    lookups: wgpu::ShaderModule,
     readers: Readers,
     pipelines: HashMap<String, wgpu::RenderPipeline>,
 }
@@ -51,7 +57,8 @@ impl Theirs {
             sampled_depth: reader("read_sampled_depth"),
             sampled_color: reader("read_sampled_color"),
         };
-        Ok(Self { device, module, readers, pipelines: HashMap::new() })
+        let lookups = device.device.create_shader_module(wgpu::include_wgsl!("theirs/lookups.wgsl"));
+        Ok(Self { device, module, lookups, readers, pipelines: HashMap::new() })
     }
 
     /// Name and version.
