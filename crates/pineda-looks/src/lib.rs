@@ -15,7 +15,7 @@
 //! use pineda::{ColorBuffer, DrawState, Indices, Mat4, Mesh, Pass, Renderer, Settings, Target};
 //! use pineda_looks::{Lambert, Vertex};
 //!
-//! let corner = |x, y| Vertex { position: [x, y, 0.0], normal: [0.0, 0.0, 1.0], color: [1.0; 4] };
+//! let corner = |x, y| Vertex { position: [x, y, 0.0], normal: [0.0, 0.0, 1.0], ..Vertex::default() };
 //! let triangle = [corner(-1.0, -1.0), corner(1.0, -1.0), corner(0.0, 1.0)];
 //! let view = Mat4::look_at([0.0, 0.0, 3.0], [0.0; 3], [0.0, 1.0, 0.0]);
 //! let shader = Lambert {
@@ -33,14 +33,18 @@
 //! ```
 
 mod depth;
+mod gallery;
 mod lambert;
 mod normals;
+mod stage;
 mod studio;
 mod surface;
 mod tone;
 
 pub use depth::Depth;
+pub use gallery::{Gallery, Map};
 pub use lambert::Lambert;
 pub use normals::Normals;
+pub use stage::{Camera, Prop, Stage};
 pub use studio::{Lamp, Studio};
 pub use surface::{Surface, Vertex};

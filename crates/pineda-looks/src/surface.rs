@@ -9,8 +9,19 @@ pub struct Vertex {
     pub position: [f32; 3],
     /// World space, of length 1.
     pub normal: [f32; 3],
+    /// The direction in which the first texture coordinate grows, in world space, of length 1, and the bitangent's sign; all 0 if unknown.
+    pub tangent: [f32; 4],
+    /// Two sets of texture coordinates.
+    pub uvs: [[f32; 2]; 2],
     /// Linear light, straight alpha; multiplies the base colour.
     pub color: [f32; 4],
+}
+
+impl Default for Vertex {
+    /// White, at the origin, without a normal.
+    fn default() -> Self {
+        Self { position: [0.0; 3], normal: [0.0; 3], tangent: [0.0; 4], uvs: [[0.0; 2]; 2], color: [1.0; 4] }
+    }
 }
 
 varyings! {

@@ -31,7 +31,12 @@ fn ball(center: [f32; 3], lowest: f32, color: [f32; 4], steps: u32) -> Vec<Verte
             })
             .collect();
     }
-    let vertex = |normal: [f32; 3]| Vertex { position: [0, 1, 2].map(|k| center[k] + normal[k]), normal, color };
+    let vertex = |normal: [f32; 3]| Vertex {
+        position: [0, 1, 2].map(|k| center[k] + normal[k]),
+        normal,
+        color,
+        ..Vertex::default()
+    };
     faces.into_iter().flatten().map(vertex).collect()
 }
 
@@ -128,7 +133,12 @@ fn looks_stay_in_range() {
 /// A plane at right angles to the view: its distance is known, and so is Lambert's light on it.
 #[test]
 fn looks_of_a_plane_are_what_the_formulas_say() {
-    let corner = |x, y| Vertex { position: [x, y, 0.0], normal: [0.0, 0.0, 1.0], color: [0.5, 1.0, 1.0, 1.0] };
+    let corner = |x, y| Vertex {
+        position: [x, y, 0.0],
+        normal: [0.0, 0.0, 1.0],
+        color: [0.5, 1.0, 1.0, 1.0],
+        ..Vertex::default()
+    };
     let plane = [corner(-4.0, -4.0), corner(4.0, -4.0), corner(0.0, 8.0)];
     let clip_from_world =
         Mat4::perspective(0.8, 1.0, 1.0, 5.0) * Mat4::look_at([0.0, 0.0, 3.0], [0.0; 3], [0.0, 1.0, 0.0]);

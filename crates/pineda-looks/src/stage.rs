@@ -1,0 +1,150 @@
+//! A scene and a camera, made ready to draw.
+//!
+//! The world is moved and scaled so that the camera looks at the origin from distance 1: what is drawn is the same, and neither a model far from its origin nor one of atoms or galaxies loses
+//! anything to 32-bit floats.
+
+use crate::Vertex;
+use pineda::{Cull, DrawState, Indices, Mat4, Mesh, PrimitiveTopology};
+use pineda_scene::{Bounds, Framing, Material, Normals, Object, Scene, flat_normals, smooth_normals};
+
+/// A camera and what it sees.
+#[derive(Debug)]
+pub struct Stage {
+    /// Its world is the stage's.
+    pub camera: Camera,
+    /// In the order of the scene's objects.
+    pub props: Vec<Prop>,
+    /// The least and the greatest coordinates of what is drawn, in the stage's world.
+    pub bounds: [[f32; 3]; 2],
+    /// How long a unit of the scene is on the stage.
+    pub scale: f32,
+}
+
+/// A camera that stands at distance 1 from what it looks at, the origin.
+#[derive(Clone, Copy, Debug)]
+pub struct Camera {
+    /// The stage's world to clip space.
+    pub clip_from_world: Mat4,
+    /// Where the camera stands.
+    pub eye: [f32; 3],
+    /// Roughly upwards in the picture.
+    pub up: [f32; 3],
+    /// Distance of the near plane along the view axis.
+    pub near: f32,
+    /// Distance of the far plane along the view axis.
+    pub far: f32,
+}
+
+/// An object, ready to draw.
+#[derive(Debug)]
+pub struct Prop {
+    vertices: Vec<Vertex>,
+    triangles: Vec<[u32; 3]>,
+    lines: Vec<[u32; 2]>,
+    points: Vec<u32>,
+    double_sided: bool,
+    /// Its number in the scene.
+    pub material: usize,
+    /// Whether it has tangents of its own.
+    pub has_tangents: bool,
+    /// The square of the distance from the eye to the middle of its box.
+    pub distance_squared: f32,
+}
+
+impl Stage {
+    /// Takes a scene's objects, and gives those without normals some: smoothed between faces that meet at less than `crease` degrees, or flat ones where that is 0. The scene keeps its
+    /// materials and textures. `None` if there is nothing to draw.
+    pub fn new(scene: &mut Scene, framing: &Framing, aspect: f64, crease: f64) -> Option<Self> {
+        let bounds = Bounds::of(scene)?;
+        let offset = [0, 1, 2].map(|axis| framing.eye[axis] - framing.target[axis]);
+        let distance = offset.iter().map(|x| x * x).sum::<f64>().sqrt();
+        let camera = Camera::new(framing, offset, distance, aspect);
+        let objects = std::mem::take(&mut scene.objects);
+        let place = |x: f64, axis: usize| ((x - framing.target[axis]) / distance) as f32;
+        let bounds = [bounds.min, bounds.max].map(|corner| [0, 1, 2].map(|axis| place(corner[axis], axis)));
+        let prop = |mut object: Object| {
+            if object.normals == Normals::Absent {
+                if crease > 0.0 { smooth_normals(&mut object, crease) } else { flat_normals(&mut object) }
+            }
+            let vertices = vertices(&object, place);
+            Prop {
+                distance_squared: distance_squared(&object, &vertices, camera.eye),
+                vertices,
+                has_tangents: !object.tangents.is_empty(),
+                triangles: object.triangles,
+                lines: object.lines,
+                points: object.points,
+                double_sided: scene.materials[object.material].double_sided,
+                material: object.material,
+            }
+        };
+        let props = objects.into_iter().map(prop).collect();
+        Some(Self { camera, props, bounds, scale: (1.0 / distance) as f32 })
+    }
+}
+
+fn vertices(object: &Object, place: impl Fn(f64, usize) -> f32) -> Vec<Vertex> {
+    let none: &[[f32; 2]] = &[];
+    let uvs = [0, 1].map(|set| object.uvs.get(set).map_or(none, |set| set));
+    let vertex = |(k, vertex): (usize, &pineda_scene::Vertex)| Vertex {
+        position: [0, 1, 2].map(|axis| place(vertex.position[axis].into(), axis)),
+        normal: vertex.normal,
+        tangent: object.tangents.get(k).copied().unwrap_or_default(),
+        uvs: uvs.map(|set| set.get(k).copied().unwrap_or_default()),
+        color: vertex.color,
+    };
+    object.vertices.iter().enumerate().map(vertex).collect()
+}
+
+fn distance_squared(object: &Object, vertices: &[Vertex], eye: [f32; 3]) -> f32 {
+    let (mut low, mut high) = ([f32::INFINITY; 3], [f32::NEG_INFINITY; 3]);
+    for index in object.indices() {
+        let position = vertices[index as usize].position;
+        for axis in 0..3 {
+            low[axis] = if position[axis] < low[axis] { position[axis] } else { low[axis] };
+            high[axis] = if position[axis] > high[axis] { position[axis] } else { high[axis] };
+        }
+    }
+    (0..3).map(|axis| 0.5 * (low[axis] + high[axis]) - eye[axis]).map(|x| x * x).sum()
+}
+
+impl Camera {
+    fn new(framing: &Framing, offset: [f64; 3], distance: f64, aspect: f64) -> Self {
+        let eye = offset.map(|x| (x / distance) as f32);
+        let up = framing.up.map(|x| x as f32);
+        let (near, far) = ((framing.near / distance) as f32, (framing.far / distance) as f32);
+        let projection = Mat4::perspective(framing.fov_y as f32, aspect as f32, near, far);
+        Self { clip_from_world: projection * Mat4::look_at(eye, [0.0; 3], up), eye, up, near, far }
+    }
+}
+
+impl Prop {
+    /// Its triangles.
+    #[must_use]
+    pub fn mesh(&self) -> Mesh<'_, Vertex> {
+        Mesh { vertices: &self.vertices, indices: Indices::U32(self.triangles.as_flattened()) }
+    }
+
+    /// Its triangles, lines and points, as far as there are such, and the topology that each is drawn with.
+    pub fn meshes(&self) -> impl Iterator<Item = (Mesh<'_, Vertex>, PrimitiveTopology)> {
+        let lists = [
+            (self.triangles.as_flattened(), PrimitiveTopology::TriangleList),
+            (self.lines.as_flattened(), PrimitiveTopology::LineList),
+            (&self.points[..], PrimitiveTopology::PointList),
+        ];
+        let lists = lists.into_iter().filter(|(indices, _)| !indices.is_empty());
+        lists.map(|(indices, topology)| (Mesh { vertices: &self.vertices, indices: Indices::U32(indices) }, topology))
+    }
+
+    /// As its material's sides say.
+    #[must_use]
+    pub fn state(&self) -> DrawState {
+        DrawState { cull: if self.double_sided { Cull::None } else { Cull::Back }, ..DrawState::default() }
+    }
+
+    /// What it is made of.
+    #[must_use]
+    pub fn material<'s>(&self, scene: &'s Scene) -> &'s Material {
+        &scene.materials[self.material]
+    }
+}
