@@ -138,14 +138,21 @@ fn sampler(theirs: &pineda_scene::Sampler, mipmaps: bool) -> Sampler {
 }
 
 impl Map<'_> {
+    /// Where in the texture a place on a surface is looked up.
+    #[inline(always)]
+    pub fn coordinates<L: Lanes>(&self, uvs: [Vec2<Dual<L>>; UV_SETS]) -> Vec2<Dual<L>> {
+        let [first, second] = uvs;
+        let uv = if self.uv_set == 0 { first } else { second };
+        match self.transform {
+            Some([[a, b, c], [d, e, f]]) => Vec2::new(uv.x * a + uv.y * b + c, uv.x * d + uv.y * e + f),
+            None => uv,
+        }
+    }
+
     /// The texture's numbers, in linear light, at a place on a surface.
     #[inline(always)]
     pub fn sample<L: Lanes>(&self, uvs: [Vec2<Dual<L>>; UV_SETS]) -> Rgba<L> {
-        let [first, second] = uvs;
-        let mut uv = if self.uv_set == 0 { first } else { second };
-        if let Some([[a, b, c], [d, e, f]]) = self.transform {
-            uv = Vec2::new(uv.x * a + uv.y * b + c, uv.x * d + uv.y * e + f);
-        }
+        let uv = self.coordinates(uvs);
         match &*self.picture {
             Picture::Linear8(texture) => texture.sample(&self.sampler, uv),
             Picture::Srgb8(texture) => texture.sample(&self.sampler, uv),

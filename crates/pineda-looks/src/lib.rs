@@ -32,19 +32,38 @@
 //! # Ok::<(), pineda::Error>(())
 //! ```
 
+mod base_color;
+mod cut_out;
 mod depth;
 mod gallery;
 mod lambert;
+mod layers;
+mod matcap;
+mod mode;
+mod normal_map;
 mod normals;
 mod stage;
 mod studio;
 mod surface;
+mod tangent_frame;
 mod tone;
+mod unlit;
+mod uv;
+mod wireframe;
 
+pub use base_color::BaseColor;
+pub use cut_out::{CutOut, Opacity};
 pub use depth::Depth;
 pub use gallery::{Gallery, Map};
 pub use lambert::Lambert;
+pub use layers::{Alpha, Layer};
+pub use matcap::{Matcap, Shape};
+pub use mode::{Mode, Show, Textures};
+pub use normal_map::{Bumpy, MappedLambert, MappedNormals, NormalMap};
 pub use normals::Normals;
 pub use stage::{Camera, Prop, Stage};
 pub use studio::{Lamp, Studio};
 pub use surface::{Surface, Vertex};
+pub use unlit::Unlit;
+pub use uv::Uv;
+pub use wireframe::Wireframe;

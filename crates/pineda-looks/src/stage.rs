@@ -5,7 +5,7 @@
 
 use crate::Vertex;
 use pineda::{Cull, DrawState, Indices, Mat4, Mesh, PrimitiveTopology};
-use pineda_scene::{Bounds, Framing, Material, Normals, Object, Scene, flat_normals, smooth_normals};
+use pineda_scene::{AlphaMode, Bounds, Framing, Lens, Material, Normals, Object, Scene, flat_normals, smooth_normals};
 
 /// A camera and what it sees.
 #[derive(Debug)]
@@ -25,6 +25,8 @@ pub struct Stage {
 pub struct Camera {
     /// The stage's world to clip space.
     pub clip_from_world: Mat4,
+    /// Whether all things keep their size, however far away they are.
+    pub is_orthographic: bool,
     /// Where the camera stands.
     pub eye: [f32; 3],
     /// Roughly upwards in the picture.
@@ -43,6 +45,7 @@ pub struct Prop {
     lines: Vec<[u32; 2]>,
     points: Vec<u32>,
     double_sided: bool,
+    alpha_mode: AlphaMode,
     /// Its number in the scene.
     pub material: usize,
     /// Whether it has tangents of its own.
@@ -66,7 +69,8 @@ impl Stage {
             if object.normals == Normals::Absent {
                 if crease > 0.0 { smooth_normals(&mut object, crease) } else { flat_normals(&mut object) }
             }
-            let vertices = vertices(&object, place);
+            let vertices = vertices(&object, place, camera.eye);
+            let material = &scene.materials[object.material];
             Prop {
                 distance_squared: distance_squared(&object, &vertices, camera.eye),
                 vertices,
@@ -74,7 +78,8 @@ impl Stage {
                 triangles: object.triangles,
                 lines: object.lines,
                 points: object.points,
-                double_sided: scene.materials[object.material].double_sided,
+                double_sided: material.double_sided,
+                alpha_mode: material.alpha_mode,
                 material: object.material,
             }
         };
@@ -83,17 +88,28 @@ impl Stage {
     }
 }
 
-fn vertices(object: &Object, place: impl Fn(f64, usize) -> f32) -> Vec<Vertex> {
+fn vertices(object: &Object, place: impl Fn(f64, usize) -> f32, eye: [f32; 3]) -> Vec<Vertex> {
     let none: &[[f32; 2]] = &[];
     let uvs = [0, 1].map(|set| object.uvs.get(set).map_or(none, |set| set));
-    let vertex = |(k, vertex): (usize, &pineda_scene::Vertex)| Vertex {
-        position: [0, 1, 2].map(|axis| place(vertex.position[axis].into(), axis)),
-        normal: vertex.normal,
-        tangent: object.tangents.get(k).copied().unwrap_or_default(),
-        uvs: uvs.map(|set| set.get(k).copied().unwrap_or_default()),
-        color: vertex.color,
+    let vertex = |(k, vertex): (usize, &pineda_scene::Vertex)| {
+        let position = [0, 1, 2].map(|axis| place(vertex.position[axis].into(), axis));
+        Vertex {
+            position,
+            // Lines and points without normals turn to whoever looks at them.
+            normal: if vertex.normal == [0.0; 3] { towards(position, eye) } else { vertex.normal },
+            tangent: object.tangents.get(k).copied().unwrap_or_default(),
+            uvs: uvs.map(|set| set.get(k).copied().unwrap_or_default()),
+            color: vertex.color,
+        }
     };
     object.vertices.iter().enumerate().map(vertex).collect()
+}
+
+/// The unit vector from a place to the eye.
+fn towards(position: [f32; 3], eye: [f32; 3]) -> [f32; 3] {
+    let away = [0, 1, 2].map(|axis| eye[axis] - position[axis]);
+    let length = away.iter().map(|x| x * x).sum::<f32>().sqrt();
+    if length > 0.0 && length.is_finite() { away.map(|x| x / length) } else { [0.0, 0.0, 1.0] }
 }
 
 fn distance_squared(object: &Object, vertices: &[Vertex], eye: [f32; 3]) -> f32 {
@@ -113,8 +129,29 @@ impl Camera {
         let eye = offset.map(|x| (x / distance) as f32);
         let up = framing.up.map(|x| x as f32);
         let (near, far) = ((framing.near / distance) as f32, (framing.far / distance) as f32);
-        let projection = Mat4::perspective(framing.fov_y as f32, aspect as f32, near, far);
-        Self { clip_from_world: projection * Mat4::look_at(eye, [0.0; 3], up), eye, up, near, far }
+        let (projection, is_orthographic) = match framing.lens {
+            Lens::Perspective { fov_y } => (Mat4::perspective(fov_y as f32, aspect as f32, near, far), false),
+            Lens::Orthographic { half_height } => {
+                let (x, y) = ((half_height * aspect / distance) as f32, (half_height / distance) as f32);
+                (Mat4::orthographic(-x, x, -y, y, near, far), true)
+            }
+        };
+        let clip_from_world = projection * Mat4::look_at(eye, [0.0; 3], up);
+        Self { clip_from_world, is_orthographic, eye, up, near, far }
+    }
+
+    /// From a place to its distance along the view axis: the dot product of this with (x, y, z, 1).
+    #[must_use]
+    pub fn distance(&self) -> [f32; 4] {
+        let [x, y, z] = self.eye;
+        if self.is_orthographic { [-x, -y, -z, 1.0] } else { self.clip_from_world.0.map(|column| column[3]) }
+    }
+
+    /// From a place towards the eye: this less w times the place.
+    #[must_use]
+    pub fn to_eye(&self) -> [f32; 4] {
+        let [x, y, z] = self.eye;
+        [x, y, z, if self.is_orthographic { 0.0 } else { 1.0 }]
     }
 }
 
@@ -140,6 +177,18 @@ impl Prop {
     #[must_use]
     pub fn state(&self) -> DrawState {
         DrawState { cull: if self.double_sided { Cull::None } else { Cull::Back }, ..DrawState::default() }
+    }
+
+    /// What its material says of alpha.
+    #[must_use]
+    pub fn alpha_mode(&self) -> AlphaMode {
+        self.alpha_mode
+    }
+
+    /// How many triangles it has, how many lines, and how many points.
+    #[must_use]
+    pub fn counts(&self) -> [usize; 3] {
+        [self.triangles.len(), self.lines.len(), self.points.len()]
     }
 
     /// What it is made of.

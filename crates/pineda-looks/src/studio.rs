@@ -11,6 +11,7 @@
 //! Diffuse light wraps softly around edges (Valve's half-Lambert, generalised); highlights are GGX's (Walter et al. 2007)
 //! with the visibility term approximated as in Karis's mobile BRDF (2014) and Schlick's Fresnel term.
 
+use crate::base_color::BaseColor;
 use crate::surface::{Surface, Vertex, seen_normal, surface};
 use crate::tone::tone;
 use pineda::{Fragment, Lanes, Mat4, Real, Rgba, Scalar, Shader, Vec3, Vec4, shader};
@@ -27,14 +28,14 @@ pub struct Lamp {
 }
 
 /// Soft studio light that flatters whatever it falls on.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Studio {
+#[derive(Clone, Debug)]
+pub struct Studio<'s> {
     /// World space to clip space.
     pub clip_from_world: Mat4,
     /// World space.
     pub eye: [f32; 3],
-    /// Linear light.
-    pub base_color: [f32; 3],
+    /// The surface's.
+    pub base: BaseColor<'s>,
     /// The lamps: key, fill and rim.
     pub lamps: [Lamp; 3],
     /// Light from straight above (+y) and from straight below, mixed by the normal.
@@ -45,11 +46,10 @@ pub struct Studio {
     pub roughness: f32,
 }
 
-impl Studio {
-    /// The studio around a camera at `eye` that looks at `target`, with `up` upwards; all in world space. The surface is
-    /// white: set [`base_color`](Self::base_color) for another.
+impl<'s> Studio<'s> {
+    /// The studio around a camera at `eye` that looks at `target`, with `up` upwards; all in world space.
     #[must_use]
-    pub fn new(clip_from_world: Mat4, eye: [f32; 3], target: [f32; 3], up: [f32; 3]) -> Self {
+    pub fn new(clip_from_world: Mat4, eye: [f32; 3], target: [f32; 3], up: [f32; 3], base: BaseColor<'s>) -> Self {
         let back = unit(subtract(eye, target));
         let right = unit(cross(up, back));
         let up = cross(back, right);
@@ -57,7 +57,7 @@ impl Studio {
         Self {
             clip_from_world,
             eye,
-            base_color: [1.0; 3],
+            base,
             lamps: [
                 Lamp { direction: towards([-0.55, 0.75, 0.6]), color: [0.95, 0.90, 0.82], wrap: 0.15 },
                 Lamp { direction: towards([0.9, 0.1, 0.45]), color: [0.07, 0.09, 0.12], wrap: 0.5 },
@@ -71,9 +71,10 @@ impl Studio {
 }
 
 #[shader]
-impl Shader for Studio {
+impl Shader for Studio<'_> {
     type Vertex = Vertex;
     type Varyings<L: Lanes> = Surface<L>;
+    const DERIVATIVES: bool = true;
 
     fn vertex(&self, vertex: &Vertex) -> (Vec4, Surface<Scalar>) {
         surface(self.clip_from_world, vertex)
@@ -82,7 +83,9 @@ impl Shader for Studio {
     fn fragment<L: Lanes>(&self, f: &mut Fragment<L, Self>) -> Rgba<L> {
         let to_eye = (self.eye - f.position).normalize();
         let normal = facing(seen_normal::<L, Self>(f, f.normal), to_eye);
-        let albedo = f.color * self.base_color;
+        let Surface { uv, uv_1, .. } = f.dual();
+        let base = self.base.at(f.color, [uv, uv_1]);
+        let albedo = base.rgb();
 
         let upward = normal.y * 0.5 + 0.5;
         let around = f.splat(self.ground).mix(self.sky, upward);
@@ -98,7 +101,7 @@ impl Shader for Studio {
         diffuse += f.splat(rim.color) * wrapped(normal, rim);
         specular += highlight(normal, to_eye, key, self.roughness);
         specular += highlight(normal, to_eye, rim, self.roughness);
-        Rgba::opaque(tone(albedo * diffuse + specular))
+        Rgba::new(tone(albedo * diffuse + specular), base.a)
     }
 }
 

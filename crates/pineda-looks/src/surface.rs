@@ -1,6 +1,6 @@
 //! What the shaders draw, and what they know of it at each pixel.
 
-use pineda::{Fragment, Lanes, Mat4, Shader, Vec3, Vec4, shader, varyings};
+use pineda::{Fragment, Lanes, Mat4, Shader, Vec2, Vec3, Vec4, shader, varyings};
 
 /// A corner of triangles.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -25,29 +25,44 @@ impl Default for Vertex {
 }
 
 varyings! {
-    /// A lit surface at a pixel.
+    /// A surface at a pixel.
     pub struct Surface {
         /// World space.
         pub position: Vec3,
         /// World space, interpolated: not quite of length 1.
         pub normal: Vec3,
-        /// The vertex colour, in linear light.
-        pub color: Vec3,
+        /// The vertex colour, in linear light, with straight alpha.
+        pub color: Vec4,
+        /// The first set of texture coordinates.
+        pub uv: Vec2,
+        /// The second set.
+        pub uv_1: Vec2,
     }
 }
 
-/// The vertex stage that [`Lambert`](crate::Lambert) and [`Studio`](crate::Studio) share.
+/// The vertex stage that the shaders share which know a [`Surface`].
 #[shader]
 pub(crate) fn surface(clip_from_world: Mat4, vertex: &Vertex) -> (Vec4, Surface) {
     let position = Vec3::from(vertex.position);
-    let [r, g, b, _] = vertex.color;
-    let varyings = Surface { position, normal: vertex.normal.into(), color: [r, g, b].into() };
+    let [uv, uv_1] = vertex.uvs;
+    let varyings = Surface {
+        position,
+        normal: vertex.normal.into(),
+        color: vertex.color.into(),
+        uv: uv.into(),
+        uv_1: uv_1.into(),
+    };
     (clip_from_world * position.extend(1.0), varyings)
 }
 
 /// The unit normal of the side that is seen.
 #[shader]
 pub(crate) fn seen_normal<L: Lanes, S: Shader>(f: &Fragment<L, S>, interpolated: Vec3<L>) -> Vec3<L> {
-    let normal = interpolated.normalize();
+    seen::<L, S>(f, interpolated.normalize())
+}
+
+/// A normal, turned to the side that is seen.
+#[shader]
+pub(crate) fn seen<L: Lanes, S: Shader>(f: &Fragment<L, S>, normal: Vec3<L>) -> Vec3<L> {
     f.front_facing().select(normal, -normal)
 }

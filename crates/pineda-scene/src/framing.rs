@@ -14,7 +14,7 @@
 //!            eye
 //! ```
 
-use crate::vector::{add, length, scale};
+use crate::vector::{Vec3, add, cross, dot, length, normalize, scale};
 use crate::{Bounds, Error};
 
 /// From where and how wide to look.
@@ -28,30 +28,50 @@ pub struct View {
     pub fov: f64,
     /// The picture's width over its height. Default 1.
     pub aspect: f64,
+    /// What is upwards in world space, not 0; of any length. Azimuth and elevation turn with it: they are meant for +y, the default, and from there the smallest rotation leads to it (to -y that
+    /// about x).
+    pub up: [f64; 3],
+    /// Whether all things keep their size. From where one looks is the same as in perspective. Default false.
+    pub orthographic: bool,
 }
 
 impl Default for View {
     fn default() -> Self {
-        Self { azimuth: 30.0, elevation: 20.0, fov: 40.0, aspect: 1.0 }
+        Self { azimuth: 30.0, elevation: 20.0, fov: 40.0, aspect: 1.0, up: [0.0, 1.0, 0.0], orthographic: false }
     }
 }
 
-/// A perspective camera. All numbers are finite, `eye` is not `target`, `up` is not along the line between them, and
-/// `0 < near < far`.
+/// A camera. All numbers are finite, `eye` is not `target`, `up` is not along the line between them, and
+/// `0 < near < far` (`near` may be 0 or less with a parallel projection).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Framing {
     /// Where the camera stands, in world space.
     pub eye: [f64; 3],
     /// The middle of the picture: the box's centre.
     pub target: [f64; 3],
-    /// +y, or seen from straight above or below what turns up there.
+    /// What is upwards, or seen from straight above or below what turns up there.
     pub up: [f64; 3],
-    /// Vertical field of view in radians.
-    pub fov_y: f64,
+    /// How wide it looks.
+    pub lens: Lens,
     /// Distance of the near plane along the view axis.
     pub near: f64,
     /// Distance of the far plane along the view axis.
     pub far: f64,
+}
+
+/// How wide a camera looks.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Lens {
+    /// Far things are smaller.
+    Perspective {
+        /// Vertical field of view in radians, within 0 to pi.
+        fov_y: f64,
+    },
+    /// All things keep their size.
+    Orthographic {
+        /// From the middle of the picture to its upper border, above 0.
+        half_height: f64,
+    },
 }
 
 impl Framing {
@@ -66,6 +86,11 @@ impl Framing {
         check("azimuth", view.azimuth, view.azimuth.is_finite(), "degrees, finite")?;
         check("elevation", view.elevation, view.elevation.is_finite(), "degrees, finite")?;
         check("fov", view.fov, view.fov > 0.0 && view.fov < 180.0, "degrees, above 0 and below 180")?;
+        let up = normalize(view.up).ok_or(Error::View {
+            name: "up",
+            value: length(view.up),
+            expected: "a vector, finite, and longer than 0",
+        })?;
         let aspect_is_fine = view.aspect.is_finite() && view.aspect > 0.0;
         check("aspect", view.aspect, aspect_is_fine, "width over height, above 0")?;
 
@@ -76,17 +101,36 @@ impl Framing {
         let (azimuth, elevation) = (view.azimuth.to_radians(), view.elevation.to_radians());
         let (sin_az, cos_az) = (libm::sin(azimuth), libm::cos(azimuth));
         let (sin_el, cos_el) = (libm::sin(elevation), libm::cos(elevation));
-        let towards_eye = [cos_el * sin_az, sin_el, cos_el * cos_az];
+        let towards_eye = turned(up, [cos_el * sin_az, sin_el, cos_el * cos_az]);
         Ok(Self {
             eye: add(target, scale(towards_eye, distance)),
             target,
-            // At the poles +y says nothing; the direction that "up" tends to there is away from the azimuth.
-            up: if cos_el.abs() > 1e-6 { [0.0, 1.0, 0.0] } else { [-sin_el * sin_az, 0.0, -sin_el * cos_az] },
-            fov_y,
+            // At the poles "up" says nothing; the direction that it tends to there is away from the azimuth.
+            up: if cos_el.abs() > 1e-6 { up } else { turned(up, [-sin_el * sin_az, 0.0, -sin_el * cos_az]) },
+            lens: if view.orthographic {
+                Lens::Orthographic { half_height: radius / if view.aspect < 1.0 { view.aspect } else { 1.0 } }
+            } else {
+                Lens::Perspective { fov_y }
+            },
             near: larger(distance - 1.05 * radius, 0.001 * (distance - radius)),
             far: distance + 1.05 * radius,
         })
     }
+}
+
+/// A vector after the smallest rotation that turns +y to `up`, a unit vector.
+fn turned(up: Vec3, v: Vec3) -> Vec3 {
+    let [ux, uy, uz] = up;
+    if uy == 1.0 {
+        return v;
+    }
+    if uy < -1.0 + 1e-12 {
+        return [v[0], -v[1], -v[2]];
+    }
+    // Rodrigues' formula about k = y x up = (uz, 0, -ux), whose length is the sine: v cos + k x v + k (k . v) / (1 + cos).
+    let k = [uz, 0.0, -ux];
+    let along = dot(k, v) / (1.0 + uy);
+    add(add(scale(v, uy), cross(k, v)), scale(k, along))
 }
 
 fn check(name: &'static str, value: f64, fine: bool, expected: &'static str) -> Result<(), Error> {
@@ -116,7 +160,7 @@ fn larger(a: f64, b: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::vector::{cross, dot, normalize, sub};
+    use crate::vector::sub;
 
     const CUBE: Bounds = Bounds { min: [-1.0; 3], max: [1.0; 3] };
 
@@ -130,12 +174,12 @@ mod tests {
         assert!(length(sub(framing.eye, eye)) < 1e-14);
         assert_eq!((framing.target, framing.up), ([0.0; 3], [0.0, 1.0, 0.0]));
         assert_eq!((framing.near, framing.far), (d - 1.05 * r, d + 1.05 * r));
-        assert_eq!(framing.fov_y, 40f64.to_radians());
+        assert_eq!(framing.lens, Lens::Perspective { fov_y: 40f64.to_radians() });
     }
 
     #[test]
     fn framing_bits_are_the_same_everywhere() {
-        let framing = Framing::new(&CUBE, &View { azimuth: 123.0, elevation: -7.5, fov: 33.0, aspect: 0.75 }).unwrap();
+        let framing = Framing::new(&CUBE, &View { azimuth: 123.0, elevation: -7.5, fov: 33.0, aspect: 0.75, ..View::default() }).unwrap();
         let bits = [4_619_162_814_199_971_841, 13_830_745_614_017_192_135, 13_839_913_543_229_666_767];
         assert_eq!(framing.eye.map(f64::to_bits), bits);
     }
@@ -146,7 +190,7 @@ mod tests {
             let view = View { aspect, fov: 50.0, ..View::default() };
             let framing = Framing::new(&CUBE, &view).unwrap();
             let distance = length(sub(framing.eye, framing.target));
-            let tan_y = libm::tan(framing.fov_y / 2.0);
+            let tan_y = libm::tan(25f64.to_radians());
             let half_narrow = libm::atan(if aspect < 1.0 { tan_y * aspect } else { tan_y });
             assert!((distance * libm::sin(half_narrow) - 3f64.sqrt()).abs() < 1e-12, "{aspect}");
         }

@@ -71,7 +71,7 @@ pub use camera::{Camera, Light, LightKind, Projection};
 pub use demo::demo;
 pub use error::Error;
 pub use format::Format;
-pub use framing::{Framing, View};
+pub use framing::{Framing, Lens, View};
 pub use limits::Limits;
 pub use load::{Loaded, load, load_bytes, load_with};
 pub use material::{
