@@ -36,6 +36,7 @@ mod depth;
 mod gallery;
 mod lambert;
 mod normals;
+pub mod pbr;
 mod stage;
 mod studio;
 mod surface;
