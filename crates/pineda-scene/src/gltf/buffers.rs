@@ -4,7 +4,7 @@ use base64::Engine;
 use base64::alphabet::STANDARD;
 use base64::engine::{DecodePaddingMode, GeneralPurpose, GeneralPurposeConfig};
 
-use super::schema::Root;
+use super::schema::{Root, Whole};
 use crate::limits::Budget;
 use crate::resolver::{path_inside, percent_decode, percent_decode_bytes};
 use crate::text::shown;
@@ -52,6 +52,22 @@ impl Buffers {
             _ => Err(wrong(number, "a buffer view names it, but it does not exist".to_owned())),
         }
     }
+
+    /// The bytes of a buffer view.
+    pub(super) fn view(&self, root: &Root, view: Whole) -> Result<&[u8], Error> {
+        let wrong = |message: String| Error::gltf(format!("buffer view {view}"), message);
+        let definition = root.buffer_views.get(view.index()).ok_or_else(|| wrong("it does not exist".to_owned()))?;
+        let buffer = self.get(definition.buffer.index())?;
+        let (start, length) = (definition.byte_offset.0, definition.byte_length.0);
+        let end = start.saturating_add(length);
+        if end > buffer.len() as u64 {
+            let (number, bytes) = (definition.buffer, buffer.len());
+            return Err(wrong(format!(
+                "it ends at byte {end}, but buffer {number} has only {bytes} bytes: it is cut short"
+            )));
+        }
+        Ok(&buffer[start as usize..end as usize])
+    }
 }
 
 fn wrong(number: usize, message: String) -> Error {
@@ -85,7 +101,7 @@ fn again(error: &Error) -> Error {
 }
 
 /// `data:[type][;base64],...` decoded; `None` if it is another kind of URI.
-fn data_uri(uri: &str) -> Option<Result<Vec<u8>, String>> {
+pub(super) fn data_uri(uri: &str) -> Option<Result<Vec<u8>, String>> {
     let scheme = uri.get(..5)?;
     if !scheme.eq_ignore_ascii_case("data:") {
         return None;

@@ -5,6 +5,8 @@ mod damaged;
 mod gltf;
 mod gltf_errors;
 mod gltf_file;
+mod gltf_materials;
+mod images;
 mod models;
 mod normals;
 mod obj;
