@@ -4,6 +4,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use super::decode::{Header, Kind, decode, header};
+use crate::text::shown;
 use crate::{Image, Limits};
 
 /// An image before it is decoded.
@@ -119,7 +120,9 @@ impl ImageStore {
     }
 
     fn line(&self, number: usize, reason: &str) -> String {
-        format!("image '{}' {reason}", self.entries[number].0)
+        // Decoders' own messages are of any length and number of lines.
+        let reason: Vec<&str> = reason.split_whitespace().collect();
+        format!("image '{}' {}", self.entries[number].0, shown(reason.join(" ").as_bytes()))
     }
 }
 
