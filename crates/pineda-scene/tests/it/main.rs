@@ -6,6 +6,7 @@ mod gltf;
 mod gltf_errors;
 mod gltf_file;
 mod gltf_materials;
+mod gltf_pose;
 mod images;
 mod models;
 mod normals;
