@@ -25,7 +25,9 @@ mod bystanders;
 mod extensions;
 mod glb;
 mod images;
+mod instances;
 mod materials;
+mod meshopt;
 mod mode;
 mod nodes;
 mod primitive;
@@ -192,30 +194,40 @@ impl Posing<'_> {
         };
         let animated = self.animated.get(&number).and_then(|animated| animated.weights.as_deref());
         let weights = animated.or(node.weights.as_deref()).or(mesh.weights.as_deref()).unwrap_or_default();
-        for primitive in 0..mesh.primitives.len() {
-            budget.objects(1)?;
-            let read = (|| {
-                let skin = match node.skin {
-                    Some(skin) => Some(self.skins.get(root, skin, self.nodes, &self.reader.accessors, budget)?),
-                    None => None,
-                };
-                let node_name = node.name().unwrap_or_default();
-                let shown = Shown { mesh: mesh_number.index(), node_name, world: *world, weights, skin };
-                self.reader.read(&shown, primitive, budget)
-            })();
-            match read {
-                Ok(object) => objects.extend(object),
-                Err(error @ (Error::SideFile { .. } | Error::OutsideFolder { .. })) => {
-                    let line = format!("some of the model left out: {error}");
-                    if !self.notes.contains(&line) {
-                        self.notes.push(line);
-                    }
-                    self.missing.get_or_insert(error);
-                }
-                Err(error) => return Err(error),
+        let places = instances::places(node, number, world, &self.reader.accessors, budget);
+        let Some(places) = self.keep(places)? else { return Ok(()) };
+        for world in places {
+            for primitive in 0..mesh.primitives.len() {
+                budget.objects(1)?;
+                let read = (|| {
+                    let skin = match node.skin {
+                        Some(skin) => Some(self.skins.get(root, skin, self.nodes, &self.reader.accessors, budget)?),
+                        None => None,
+                    };
+                    let node_name = node.name().unwrap_or_default();
+                    let shown = Shown { mesh: mesh_number.index(), node_name, world, weights, skin };
+                    self.reader.read(&shown, primitive, budget)
+                })();
+                objects.extend(self.keep(read)?.flatten());
             }
         }
         Ok(())
+    }
+
+    /// `None`, and a line about it, for what is in a file that is not there.
+    fn keep<T>(&mut self, read: Result<T, Error>) -> Result<Option<T>, Error> {
+        match read {
+            Ok(read) => Ok(Some(read)),
+            Err(error @ (Error::SideFile { .. } | Error::OutsideFolder { .. })) => {
+                let line = format!("some of the model left out: {error}");
+                if !self.notes.contains(&line) {
+                    self.notes.push(line);
+                }
+                self.missing.get_or_insert(error);
+                Ok(None)
+            }
+            Err(error) => Err(error),
+        }
     }
 }
 

@@ -134,6 +134,11 @@ impl Budget {
         check("objects", self.objects, self.limits.objects, "Limits::objects")
     }
 
+    /// Whether so many more would be within the limit.
+    pub(crate) fn check_objects(&self, count: u64) -> Result<(), Error> {
+        check("objects", self.objects.saturating_add(count), self.limits.objects, "Limits::objects")
+    }
+
     fn check_expanded(&self, what: &'static str, count: u64) -> Result<(), Error> {
         check(what, count, self.bytes.saturating_add(self.limits.expanded), "Limits::expanded")
     }

@@ -5,7 +5,9 @@ use crate::Error;
 use crate::text::shown;
 
 /// What a file may require.
-const SUPPORTED: [&str; 17] = [
+const SUPPORTED: [&str; 20] = [
+    "EXT_mesh_gpu_instancing",
+    "EXT_meshopt_compression",
     "EXT_texture_webp",
     "KHR_lights_punctual",
     "KHR_materials_anisotropy",
@@ -21,6 +23,7 @@ const SUPPORTED: [&str; 17] = [
     "KHR_materials_variants",
     "KHR_materials_volume",
     "KHR_mesh_quantization",
+    "KHR_meshopt_compression",
     "KHR_texture_transform",
     "KHR_xmp_json_ld",
 ];

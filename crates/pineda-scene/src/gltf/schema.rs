@@ -127,6 +127,22 @@ pub(super) struct Node {
 pub(super) struct NodeExtensions {
     #[serde(rename = "KHR_lights_punctual")]
     pub(super) light: Option<NodeLight>,
+    #[serde(rename = "EXT_mesh_gpu_instancing")]
+    pub(super) instancing: Option<Instancing>,
+}
+
+#[derive(Debug, Deserialize)]
+pub(super) struct Instancing {
+    #[serde(default)]
+    pub(super) attributes: InstanceAttributes,
+}
+
+#[derive(Debug, Default, Deserialize)]
+#[serde(rename_all = "UPPERCASE")]
+pub(super) struct InstanceAttributes {
+    pub(super) translation: Option<Whole>,
+    pub(super) rotation: Option<Whole>,
+    pub(super) scale: Option<Whole>,
 }
 
 #[derive(Debug, Deserialize)]
@@ -329,6 +345,37 @@ pub(super) struct BufferView {
     pub(super) byte_offset: Whole,
     pub(super) byte_length: Whole,
     pub(super) byte_stride: Option<Whole>,
+    #[serde(default)]
+    extensions: BufferViewExtensions,
+}
+
+#[derive(Debug, Default, Deserialize)]
+struct BufferViewExtensions {
+    #[serde(rename = "EXT_meshopt_compression")]
+    ext_meshopt: Option<Meshopt>,
+    #[serde(rename = "KHR_meshopt_compression")]
+    khr_meshopt: Option<Meshopt>,
+}
+
+/// Where a view's compressed data are, and what they become.
+#[derive(Debug, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub(super) struct Meshopt {
+    pub(super) buffer: Whole,
+    #[serde(default)]
+    pub(super) byte_offset: Whole,
+    pub(super) byte_length: Whole,
+    pub(super) byte_stride: Whole,
+    pub(super) count: Whole,
+    pub(super) mode: String,
+    pub(super) filter: Option<String>,
+}
+
+impl BufferView {
+    /// The compressed data that stand for the view's own.
+    pub(super) fn meshopt(&self) -> Option<&Meshopt> {
+        self.extensions.khr_meshopt.as_ref().or(self.extensions.ext_meshopt.as_ref())
+    }
 }
 
 #[derive(Debug, Deserialize)]

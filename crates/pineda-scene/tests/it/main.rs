@@ -4,6 +4,7 @@
 mod damaged;
 mod gltf;
 mod gltf_errors;
+mod gltf_extensions;
 mod gltf_file;
 mod gltf_materials;
 mod gltf_pose;
