@@ -22,6 +22,7 @@ mod animation;
 mod attributes;
 mod buffers;
 mod bystanders;
+mod draco;
 mod extensions;
 mod glb;
 mod images;
@@ -49,6 +50,7 @@ use crate::{Error, Loaded, Material, Object, Resolver, Scene};
 use accessor::Accessors;
 use animation::AnimatedNodes;
 use buffers::Buffers;
+use draco::DracoMeshes;
 use images::Textures;
 use nodes::Nodes;
 use primitive::{PrimitiveReader, Shown};
@@ -60,6 +62,7 @@ use transform::Affine;
 pub(crate) struct Document {
     root: Root,
     buffers: Buffers,
+    draco: DracoMeshes,
     images: ImageStore,
     /// What the limits left after reading: where each pose begins.
     budget: Budget,
@@ -77,8 +80,9 @@ impl Document {
             bytes
         });
         let buffers = Buffers::read(&mut root, binary, files, &mut budget);
+        let draco = DracoMeshes::read(&root, &buffers, &mut budget);
         let images = images::read(&mut root, files, &mut budget);
-        Ok(Self { root, buffers, images, budget })
+        Ok(Self { root, buffers, draco, images, budget })
     }
 
     /// What there is to choose from.
@@ -117,7 +121,7 @@ impl Document {
             animated: &animated,
             nodes: &nodes,
             skins,
-            reader: PrimitiveReader::new(root, accessors, pose.variant),
+            reader: PrimitiveReader::new(root, accessors, &self.draco, pose.variant),
             missing: None,
             notes: Vec::new(),
         };

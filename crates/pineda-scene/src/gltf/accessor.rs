@@ -9,7 +9,7 @@
 use std::cell::Cell;
 
 use super::buffers::Buffers;
-use super::schema::{Root, Sparse, Whole};
+use super::schema::{Accessor as Definition, Root, Sparse, Whole};
 use crate::Error;
 use crate::limits::Budget;
 
@@ -76,7 +76,7 @@ impl<'a> Overlay<'a> {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Component {
+pub(super) enum Component {
     I8,
     U8,
     I16,
@@ -86,7 +86,7 @@ enum Component {
 }
 
 impl Component {
-    fn of(code: Whole) -> Option<Self> {
+    pub(super) fn of(code: Whole) -> Option<Self> {
         Some(match code.0 {
             5120 => Self::I8,
             5121 => Self::U8,
@@ -118,6 +118,18 @@ impl Component {
         }
     }
 
+    /// Adds the number, which is one of its own, as bytes.
+    pub(super) fn write(self, number: f32, bytes: &mut Vec<u8>) {
+        match self {
+            Self::I8 => bytes.extend((number as i8).to_le_bytes()),
+            Self::U8 => bytes.extend((number as u8).to_le_bytes()),
+            Self::I16 => bytes.extend((number as i16).to_le_bytes()),
+            Self::U16 => bytes.extend((number as u16).to_le_bytes()),
+            Self::U32 => bytes.extend((number as u32).to_le_bytes()),
+            Self::F32 => bytes.extend(number.to_le_bytes()),
+        }
+    }
+
     /// A normalised integer as the number that it stands for (specification, 3.6.2.2).
     fn normalize(self, number: f64) -> f64 {
         let signed = |largest: f64| if number < -largest { -1.0 } else { number / largest };
@@ -129,6 +141,42 @@ impl Component {
             Self::U32 => number / 4_294_967_295.0,
             Self::F32 => number,
         }
+    }
+}
+
+/// What an element consists of.
+pub(super) struct Shape {
+    pub(super) component: Component,
+    /// Numbers of a column: all, unless it is a matrix.
+    rows: usize,
+    /// Numbers in all.
+    pub(super) channels: usize,
+    /// Bytes from a column to the next.
+    column: usize,
+    /// Bytes in all.
+    size: usize,
+}
+
+impl Shape {
+    pub(super) fn of(definition: &Definition) -> Result<Self, String> {
+        let code = definition.component_type;
+        let component = Component::of(code).ok_or_else(|| format!("component type {code} does not exist"))?;
+        let (columns, rows) = match definition.kind.as_str() {
+            "SCALAR" => (1, 1),
+            "VEC2" => (1, 2),
+            "VEC3" => (1, 3),
+            "VEC4" => (1, 4),
+            "MAT2" => (2, 2),
+            "MAT3" => (3, 3),
+            "MAT4" => (4, 4),
+            kind => {
+                let kind = crate::text::shown(kind.as_bytes());
+                return Err(format!("its type is {kind}: expected SCALAR, VEC2 to VEC4 or MAT2 to MAT4"));
+            }
+        };
+        // A matrix' columns begin at multiples of four bytes (specification, 3.6.2.4).
+        let column = if columns > 1 { (rows * component.size()).next_multiple_of(4) } else { rows * component.size() };
+        Ok(Self { component, rows, channels: columns * rows, column, size: columns * column })
     }
 }
 
@@ -152,27 +200,8 @@ impl<'a> Accessors<'a> {
         let wrong = |message: String| Error::gltf(place.as_str(), message);
         let definition =
             self.root.accessors.get(number.index()).ok_or_else(|| wrong("it does not exist".to_owned()))?;
-        let code = definition.component_type;
-        let component = Component::of(code).ok_or_else(|| wrong(format!("component type {code} does not exist")))?;
-        let (columns, rows) = match definition.kind.as_str() {
-            "SCALAR" => (1, 1),
-            "VEC2" => (1, 2),
-            "VEC3" => (1, 3),
-            "VEC4" => (1, 4),
-            "MAT2" => (2, 2),
-            "MAT3" => (3, 3),
-            "MAT4" => (4, 4),
-            kind => {
-                return Err(wrong(format!(
-                    "its type is {}: expected SCALAR, VEC2 to VEC4 or MAT2 to MAT4",
-                    crate::text::shown(kind.as_bytes())
-                )));
-            }
-        };
+        let Shape { component, rows, channels, column, size } = Shape::of(definition).map_err(wrong)?;
         let count = definition.count;
-        // A matrix' columns begin at multiples of four bytes (specification, 3.6.2.4).
-        let column = if columns > 1 { (rows * component.size()).next_multiple_of(4) } else { rows * component.size() };
-        let (channels, size) = (columns * rows, columns * column);
         let dense = match definition.buffer_view {
             Some(view) => Some(self.elements(view, definition.byte_offset, size, count, &place)?),
             None => None,
@@ -194,9 +223,15 @@ impl<'a> Accessors<'a> {
         Ok(Accessor { count, channels, rows, column, component, normalized, dense, sparse })
     }
 
-    /// Whether the accessor `number` has data in this file: not so if they are compressed.
-    pub(super) fn has_data(&self, number: Whole) -> bool {
-        self.root.accessors.get(number.index()).is_none_or(|a| a.buffer_view.is_some() || a.sparse.is_some())
+    /// The accessor `number`, whose elements are not where it says, but these.
+    pub(super) fn with_bytes(&self, number: Whole, bytes: &'a [u8], place: &str) -> Result<Accessor<'a>, Error> {
+        let wrong = |message: String| Error::gltf(format!("{place}, accessor {number}"), message);
+        let missing = || wrong("it does not exist".to_owned());
+        let definition = self.root.accessors.get(number.index()).ok_or_else(missing)?;
+        let Shape { component, rows, channels, column, size } = Shape::of(definition).map_err(wrong)?;
+        let (count, normalized) = (bytes.len() / size, definition.normalized);
+        let dense = Some(Elements { bytes, stride: size });
+        Ok(Accessor { count, channels, rows, column, component, normalized, dense, sparse: None })
     }
 
     /// `count` elements of `size` bytes from `offset` on in a buffer view.

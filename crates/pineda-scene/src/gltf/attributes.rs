@@ -1,6 +1,7 @@
 //! A primitive's attributes, morph targets added: what a vertex has in its mesh's own space.
 
 use super::accessor::{Accessor, Accessors};
+use super::draco::DracoMesh;
 use super::schema::{Attributes as Named, Primitive, Semantic, Whole};
 use crate::Error;
 use crate::limits::Budget;
@@ -43,13 +44,15 @@ impl Morphed<'_> {
 }
 
 /// What is asked of a primitive.
-pub(super) struct Wanted<'a> {
+pub(super) struct Wanted<'w, 'a> {
     /// The morph targets' weights; missing ones are 0.
-    pub(super) weights: &'a [f64],
+    pub(super) weights: &'w [f64],
     /// How many sets of texture coordinates anybody looks at.
     pub(super) uv_sets: u8,
     /// Whether there is a skin.
     pub(super) is_skinned: bool,
+    /// Where the attributes are that are compressed.
+    pub(super) draco: Option<&'a DracoMesh>,
 }
 
 impl<'a> Attributes<'a> {
@@ -58,11 +61,12 @@ impl<'a> Attributes<'a> {
         accessors: &Accessors<'a>,
         primitive: &Primitive,
         position: Whole,
-        wanted: &Wanted<'_>,
+        wanted: &Wanted<'_, 'a>,
         place: &str,
         budget: &mut Budget,
     ) -> Result<Self, Error> {
-        let mut reader = Reader { accessors, primitive, weights: wanted.weights, place, count: None, budget };
+        let &Wanted { weights, draco, .. } = wanted;
+        let mut reader = Reader { accessors, primitive, weights, draco, place, count: None, budget };
         let position = reader.morphed(Semantic::Position, position, 3..=3)?;
         let mut optional = |semantic, channels| match primitive.attributes.get(semantic) {
             Some(accessor) => reader.morphed(semantic, accessor, channels).map(Some),
@@ -84,7 +88,7 @@ impl<'a> Attributes<'a> {
                 let (joints, weights) = (Semantic::Joints(set), Semantic::Weights(set));
                 let get = |semantic| primitive.attributes.get(semantic);
                 let (Some(joint), Some(weight)) = (get(joints), get(weights)) else { break };
-                influences.push([reader.plain(joints, joint, 4..=4)?, reader.plain(weights, weight, 4..=4)?]);
+                influences.push([reader.base(joints, joint, 4..=4)?, reader.base(weights, weight, 4..=4)?]);
             }
         }
         let count = reader.count.unwrap_or_default();
@@ -96,6 +100,7 @@ struct Reader<'r, 'a> {
     accessors: &'r Accessors<'a>,
     primitive: &'r Primitive,
     weights: &'r [f64],
+    draco: Option<&'a DracoMesh>,
     place: &'r str,
     /// The first attribute's; all have as many.
     count: Option<usize>,
@@ -111,7 +116,7 @@ impl<'a> Reader<'_, 'a> {
     ) -> Result<Morphed<'a>, Error> {
         // A tangent's sign is not morphed.
         let delta_channels = if semantic == Semantic::Tangent { 3..=4 } else { channels.clone() };
-        let base = self.plain(semantic, base, channels)?;
+        let base = self.base(semantic, base, channels)?;
         let mut targets = Vec::new();
         let primitive = self.primitive;
         for (target, &weight) in primitive.targets.iter().zip(self.weights) {
@@ -126,14 +131,38 @@ impl<'a> Reader<'_, 'a> {
         Ok(Morphed { base, targets })
     }
 
+    /// The primitive's own attribute.
+    fn base(
+        &mut self,
+        semantic: Semantic,
+        number: Whole,
+        channels: std::ops::RangeInclusive<usize>,
+    ) -> Result<Accessor<'a>, Error> {
+        let Some(bytes) = self.draco.and_then(|draco| draco.attributes.get(&semantic)) else {
+            return self.plain(semantic, number, channels);
+        };
+        let accessor = self.accessors.with_bytes(number, bytes, &format!("{}, {semantic}", self.place))?;
+        self.check(semantic, number, channels, accessor)
+    }
+
     fn plain(
         &mut self,
         semantic: Semantic,
         number: Whole,
         channels: std::ops::RangeInclusive<usize>,
     ) -> Result<Accessor<'a>, Error> {
+        let accessor = self.accessors.get(number, &format!("{}, {semantic}", self.place), self.budget)?;
+        self.check(semantic, number, channels, accessor)
+    }
+
+    fn check(
+        &mut self,
+        semantic: Semantic,
+        number: Whole,
+        channels: std::ops::RangeInclusive<usize>,
+        accessor: Accessor<'a>,
+    ) -> Result<Accessor<'a>, Error> {
         let place = self.place;
-        let accessor = self.accessors.get(number, &format!("{place}, {semantic}"), self.budget)?;
         if !channels.contains(&accessor.channels) {
             let message = format!("{semantic} with {} numbers each: expected {}", accessor.channels, channels.start());
             return Err(Error::gltf(format!("{place}, accessor {number}"), message));

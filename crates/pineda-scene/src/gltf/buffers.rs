@@ -119,7 +119,7 @@ fn load(number: usize, uri: &str, files: &dyn Resolver, budget: &mut Budget) -> 
 }
 
 /// The same error once more; system errors cannot be cloned.
-fn again(error: &Error) -> Error {
+pub(super) fn again(error: &Error) -> Error {
     match error {
         Error::SideFile { uri, error } => {
             Error::SideFile { uri: uri.clone(), error: std::io::Error::new(error.kind(), error.to_string()) }

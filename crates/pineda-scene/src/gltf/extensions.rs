@@ -1,14 +1,18 @@
 //! Which extensions are read.
+//!
+//! KHR_texture_basisu is not: of its decoders `basis-universal` and `ktx2-rw` build C++, and `basisu`, Rust alone, has
+//! had one release (0.1) so far. A texture's PNG or JPEG is shown where it has one.
 
 use super::schema::Root;
 use crate::Error;
 use crate::text::shown;
 
 /// What a file may require.
-const SUPPORTED: [&str; 20] = [
+const SUPPORTED: [&str; 21] = [
     "EXT_mesh_gpu_instancing",
     "EXT_meshopt_compression",
     "EXT_texture_webp",
+    "KHR_draco_mesh_compression",
     "KHR_lights_punctual",
     "KHR_materials_anisotropy",
     "KHR_materials_clearcoat",

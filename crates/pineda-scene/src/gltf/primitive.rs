@@ -2,6 +2,8 @@
 
 use super::accessor::Accessors;
 use super::attributes::{Attributes, Wanted};
+use super::buffers::again;
+use super::draco::DracoMeshes;
 use super::mode::{Elements, Mode};
 use super::schema::{Primitive, Root, Semantic};
 use super::skin::Skinning;
@@ -14,6 +16,7 @@ use crate::{Error, Normals, Object, Vertex};
 /// Reads primitives one after the other.
 pub(super) struct PrimitiveReader<'a> {
     pub(super) accessors: Accessors<'a>,
+    draco: &'a DracoMeshes,
     /// Index into the materials of what has none.
     default_material: usize,
     variant: Option<usize>,
@@ -44,13 +47,19 @@ const UNUSED: u32 = u32::MAX;
 const UV_SETS: u64 = 8;
 
 impl<'a> PrimitiveReader<'a> {
-    pub(super) fn new(root: &'a Root, accessors: Accessors<'a>, variant: Option<usize>) -> Self {
+    pub(super) fn new(
+        root: &'a Root,
+        accessors: Accessors<'a>,
+        draco: &'a DracoMeshes,
+        variant: Option<usize>,
+    ) -> Self {
         let uv_sets = |material: &super::schema::Material| {
             let sets = material.textures().map(|info| info.uv_set().0.saturating_add(1).min(UV_SETS) as u8);
             sets.max().unwrap_or(0)
         };
         Self {
             accessors,
+            draco,
             default_material: root.materials.len(),
             variant,
             uv_sets: root.materials.iter().map(uv_sets).collect(),
@@ -77,18 +86,26 @@ impl<'a> PrimitiveReader<'a> {
             self.skipped += 1;
             return Ok(None);
         };
-        if primitive.extensions.draco.is_some() && !self.accessors.has_data(position) {
-            return Err(Error::ExtensionRequired { names: vec!["KHR_draco_mesh_compression".to_owned()] });
-        }
+        let draco = match self.draco.get(shown_mesh.mesh, number) {
+            Some(draco) => Some(draco.as_ref().map_err(again)?),
+            None => None,
+        };
         let material = self.material(primitive, &place)?;
         let wanted = Wanted {
             weights: shown_mesh.weights,
             // The first set also for those who show coordinates themselves.
             uv_sets: self.uv_sets.get(material).map_or(1, |&sets| sets.max(1)),
             is_skinned: shown_mesh.skin.is_some(),
+            draco,
         };
         let attributes = Attributes::new(&self.accessors, primitive, position, &wanted, &place, budget)?;
-        let mut elements = self.elements(primitive, mode, attributes.count, &place, budget)?;
+        let mut elements = match draco {
+            Some(draco) => {
+                budget.triangles(draco.triangles.len() as u64)?;
+                Elements::Triangles(draco.triangles.clone())
+            }
+            None => self.elements(primitive, mode, attributes.count, &place, budget)?,
+        };
         if elements.indices().is_empty() {
             return Ok(None);
         }

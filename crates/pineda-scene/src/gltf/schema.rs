@@ -4,7 +4,6 @@ mod json;
 mod material;
 
 use serde::Deserialize;
-use serde::de::IgnoredAny;
 
 use crate::Error;
 pub(super) use json::{Attributes, List, Semantic, Whole};
@@ -178,9 +177,18 @@ pub(super) struct Primitive {
 #[derive(Debug, Default, Deserialize)]
 pub(super) struct PrimitiveExtensions {
     #[serde(rename = "KHR_draco_mesh_compression")]
-    pub(super) draco: Option<IgnoredAny>,
+    pub(super) draco: Option<Draco>,
     #[serde(rename = "KHR_materials_variants")]
     pub(super) variants: Option<VariantMappings>,
+}
+
+/// Where a primitive's compressed data are, and which of their attributes has which number.
+#[derive(Debug, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub(super) struct Draco {
+    pub(super) buffer_view: Whole,
+    #[serde(default)]
+    pub(super) attributes: Attributes,
 }
 
 #[derive(Debug, Deserialize)]

@@ -93,3 +93,113 @@ fn gltf_compressed_buffer_views() {
         file.fails(&["buffer view 0", "cut short"]);
     }
 }
+
+/// A grid of 5 x 5 points as the encoder of `draco-core` writes it, without loss or with.
+fn draco_grid(level: i32) -> Vec<u8> {
+    use draco_core::{
+        DataType, EncoderBuffer, EncoderOptions, FaceIndex, GeometryAttributeType, Mesh, MeshEncoder, PointAttribute,
+        PointIndex,
+    };
+    let mut mesh = Mesh::new();
+    let mut attribute = |kind, components, data_type, normalized, bytes: &dyn Fn(u32, u32) -> Vec<u8>| {
+        let mut attribute = PointAttribute::new();
+        attribute.init(kind, components, data_type, normalized, 25);
+        for i in 0..25 {
+            let bytes = bytes(i % 5, i / 5);
+            attribute.buffer_mut().write(i as usize * bytes.len(), &bytes);
+        }
+        mesh.add_attribute(attribute);
+    };
+    let floats = |floats: &[f32]| floats.iter().flat_map(|f| f.to_le_bytes()).collect::<Vec<u8>>();
+    attribute(GeometryAttributeType::Position, 3, DataType::Float32, false, &|x, y| floats(&[x as f32, y as f32, 0.0]));
+    attribute(GeometryAttributeType::Color, 4, DataType::Uint8, true, &|x, y| vec![x as u8 * 51, y as u8 * 51, 0, 255]);
+    mesh.set_num_faces(32);
+    for cell in 0..16 {
+        let a = cell % 4 + cell / 4 * 5;
+        for (half, [b, c]) in [[a + 1, a + 6], [a + 6, a + 5]].into_iter().enumerate() {
+            mesh.set_face(FaceIndex(2 * cell + half as u32), [PointIndex(a), PointIndex(b), PointIndex(c)]);
+        }
+    }
+    let mut encoder = MeshEncoder::new();
+    encoder.set_mesh(mesh);
+    let mut options = EncoderOptions::new();
+    options.set_compression_level(level);
+    let mut buffer = EncoderBuffer::new();
+    encoder.encode(&options, &mut buffer).unwrap();
+    buffer.data().to_vec()
+}
+
+fn draco(stream: &[u8]) -> File {
+    let mut file = File::new();
+    let view = file.view(stream);
+    for (name, component, kind, count) in
+        [("POSITION", 5126, "VEC3", 25), ("COLOR_0", 5121, "VEC4", 25), ("", 5123, "SCALAR", 96)]
+    {
+        let accessor =
+            json!({"componentType": component, "type": kind, "count": count, "normalized": component == 5121});
+        let accessor = push(&mut file.json["accessors"], accessor);
+        if name.is_empty() {
+            file.primitive()["indices"] = json!(accessor);
+        } else {
+            file.attribute(name, accessor);
+        }
+    }
+    file.primitive()["extensions"] =
+        json!({"KHR_draco_mesh_compression": {"bufferView": view, "attributes": {"POSITION": 0, "COLOR_0": 1}}});
+    file.json["extensionsUsed"] = json!(["KHR_draco_mesh_compression"]);
+    file.json["extensionsRequired"] = json!(["KHR_draco_mesh_compression"]);
+    file
+}
+
+#[test]
+fn gltf_draco() {
+    for level in [0, 5, 7, 10] {
+        let mut file = draco(&draco_grid(level));
+        let loaded = file.loaded();
+        assert!(loaded.notes.is_empty());
+        let object = only(&loaded);
+        assert_eq!((object.triangles.len(), object.vertices.len()), (32, 25));
+        let mut area = 0.0;
+        for triangle in &object.triangles {
+            let [a, b, c] = triangle.map(|v| object.vertices[v as usize]);
+            let [[ax, ay, _], [bx, by, _], [cx, cy, _]] = [a, b, c].map(|v| v.position);
+            area += (bx - ax) * (cy - ay) - (by - ay) * (cx - ax);
+            for v in [a, b, c] {
+                assert_eq!(v.color, [v.position[0] / 5.0, v.position[1] / 5.0, 0.0, 1.0], "{level}");
+            }
+        }
+        assert_eq!(area, 32.0, "{level}");
+        // Compressed, although the file does not say that it requires it.
+        file.json.as_object_mut().unwrap().remove("extensionsRequired");
+        assert_eq!(file.loaded().scene, loaded.scene);
+    }
+}
+
+#[test]
+fn gltf_draco_with_a_copy_is_not_decoded() {
+    let mut file = File::square();
+    file.primitive()["extensions"] =
+        json!({"KHR_draco_mesh_compression": {"bufferView": 0, "attributes": {"POSITION": 0}}});
+    assert_eq!(only(&file.loaded()).triangles.len(), 2);
+}
+
+#[test]
+fn gltf_draco_errors() {
+    let stream = draco_grid(7);
+    draco(&stream[..stream.len() / 2]).fails(&["mesh 0, primitive 0, KHR_draco_mesh_compression", "cannot be decoded"]);
+    draco(b"DRACO?").fails(&["cannot be decoded"]);
+    let mut file = draco(&stream);
+    let extension = "/meshes/0/primitives/0/extensions/KHR_draco_mesh_compression";
+    *file.json.pointer_mut(&format!("{extension}/attributes/COLOR_0")).unwrap() = json!(7);
+    file.fails(&["no attribute for COLOR_0"]);
+    *file.json.pointer_mut(&format!("{extension}/bufferView")).unwrap() = json!(7);
+    file.fails(&["buffer view 7"]);
+    // Damaged streams are errors or other meshes.
+    for at in 0..stream.len() {
+        for bits in [1, 0x40, 0xff] {
+            let mut damaged = stream.clone();
+            damaged[at] ^= bits;
+            let _ = draco(&damaged).read();
+        }
+    }
+}

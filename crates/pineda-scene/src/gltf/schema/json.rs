@@ -157,6 +157,10 @@ impl Attributes {
     pub(in crate::gltf) fn get(&self, semantic: Semantic) -> Option<Whole> {
         self.0.get(&semantic).copied()
     }
+
+    pub(in crate::gltf) fn iter(&self) -> impl Iterator<Item = (Semantic, Whole)> {
+        self.0.iter().map(|(&semantic, &accessor)| (semantic, accessor))
+    }
 }
 
 impl<'de> Deserialize<'de> for Attributes {
