@@ -42,6 +42,7 @@ mod matcap;
 mod mode;
 mod normal_map;
 mod normals;
+pub mod pbr;
 mod stage;
 mod studio;
 mod surface;

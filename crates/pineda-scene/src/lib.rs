@@ -49,6 +49,7 @@ mod finish;
 mod format;
 mod framing;
 mod gltf;
+mod image;
 mod limits;
 mod load;
 mod material;

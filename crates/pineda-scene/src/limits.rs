@@ -25,7 +25,7 @@ pub struct Limits {
     /// where pointers have 32 bits. The images beyond are left out.
     pub pixels: u64,
     /// Pixels that images may have beyond 32 for each byte of theirs: a file of a few bytes can hold a picture of any
-    /// size. Default 2^27 (512 MiB).
+    /// size. Default 3 * 2^25 (384 MiB).
     pub expanded_pixels: u64,
 }
 
@@ -47,7 +47,7 @@ impl Default for Limits {
             nesting: 1024,
             image_pixels: 1 << 26,
             pixels: quarters << 27,
-            expanded_pixels: 1 << 27,
+            expanded_pixels: 3 << 25,
         }
     }
 }
@@ -61,6 +61,7 @@ pub(crate) struct Budget {
     triangles: u64,
     objects: u64,
     elements: u64,
+    attributes: u64,
     /// Steps that triangulating polygons may still take, see [`crate::polygon`].
     pub(crate) polygon_steps: u64,
 }
@@ -69,10 +70,22 @@ impl Budget {
     /// For a model whose main file has `bytes` bytes.
     pub(crate) fn new(limits: &Limits, bytes: usize) -> Result<Self, Error> {
         let polygon_steps = crate::polygon::steps_allowed(bytes);
-        let mut budget =
-            Self { limits: *limits, bytes: 0, vertices: 0, triangles: 0, objects: 0, elements: 0, polygon_steps };
+        let mut budget = Self {
+            limits: *limits,
+            bytes: 0,
+            vertices: 0,
+            triangles: 0,
+            objects: 0,
+            elements: 0,
+            attributes: 0,
+            polygon_steps,
+        };
         budget.add_bytes(bytes as u64)?;
         Ok(budget)
+    }
+
+    pub(crate) fn limits(&self) -> &Limits {
+        &self.limits
     }
 
     pub(crate) fn nesting(&self) -> u64 {
@@ -110,9 +123,20 @@ impl Budget {
         self.check_expanded("accessor elements", self.elements)
     }
 
+    /// Pairs of texture coordinates, and half tangents, which take a fifth of a vertex' memory.
+    pub(crate) fn attributes(&mut self, count: u64) -> Result<(), Error> {
+        self.attributes = self.attributes.saturating_add(count);
+        self.check_expanded("vertex attributes", self.attributes / 4)
+    }
+
     pub(crate) fn objects(&mut self, count: u64) -> Result<(), Error> {
         self.objects = self.objects.saturating_add(count);
         check("objects", self.objects, self.limits.objects, "Limits::objects")
+    }
+
+    /// Whether so many more would be within the limit.
+    pub(crate) fn check_objects(&self, count: u64) -> Result<(), Error> {
+        check("objects", self.objects.saturating_add(count), self.limits.objects, "Limits::objects")
     }
 
     fn check_expanded(&self, what: &'static str, count: u64) -> Result<(), Error> {

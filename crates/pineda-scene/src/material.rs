@@ -111,19 +111,17 @@ impl Material {
             &self.occlusion_texture,
             &self.emissive_texture,
         ];
-        let specular = self.specular.as_ref().map(|s| [&s.texture, &s.color_texture]);
-        let clearcoat = self.clearcoat.as_ref().map(|c| [&c.texture, &c.roughness_texture, &c.normal_texture]);
-        let sheen = self.sheen.as_ref().map(|s| [&s.color_texture, &s.roughness_texture]);
-        let transmission = self.transmission.as_ref().map(|t| &t.texture);
-        let volume = self.volume.as_ref().map(|v| &v.thickness_texture);
-        let iridescence = self.iridescence.as_ref().map(|i| [&i.texture, &i.thickness_texture]);
-        let anisotropy = self.anisotropy.as_ref().map(|a| &a.texture);
+        let specular = self.specular.iter().flat_map(|s| [&s.texture, &s.color_texture]);
+        let clearcoat = self.clearcoat.iter().flat_map(|c| [&c.texture, &c.roughness_texture, &c.normal_texture]);
+        let sheen = self.sheen.iter().flat_map(|s| [&s.color_texture, &s.roughness_texture]);
+        let transmission = self.transmission.iter().map(|t| &t.texture);
+        let volume = self.volume.iter().map(|v| &v.thickness_texture);
+        let iridescence = self.iridescence.iter().flat_map(|i| [&i.texture, &i.thickness_texture]);
+        let anisotropy = self.anisotropy.iter().map(|a| &a.texture);
         let glossiness =
-            self.specular_glossiness.as_ref().map(|s| [&s.diffuse_texture, &s.specular_glossiness_texture]);
-        let all = own.into_iter().chain(specular.into_iter().flatten()).chain(clearcoat.into_iter().flatten());
-        let all = all.chain(sheen.into_iter().flatten()).chain(transmission).chain(volume);
-        let all = all.chain(iridescence.into_iter().flatten()).chain(anisotropy);
-        all.chain(glossiness.into_iter().flatten()).filter_map(Option::as_ref)
+            self.specular_glossiness.iter().flat_map(|s| [&s.diffuse_texture, &s.specular_glossiness_texture]);
+        let all = own.into_iter().chain(specular).chain(clearcoat).chain(sheen).chain(transmission);
+        all.chain(volume).chain(iridescence).chain(anisotropy).chain(glossiness).filter_map(Option::as_ref)
     }
 }
 

@@ -161,6 +161,7 @@ pub(crate) struct ResolvedPose {
     pub(crate) animation: Option<usize>,
     pub(crate) time: f64,
     pub(crate) variant: Option<usize>,
+    pub(crate) without_textures: bool,
 }
 
 impl Contents {
@@ -169,7 +170,8 @@ impl Contents {
         let animations: Vec<_> = self.animations.iter().map(|animation| animation.name.clone()).collect();
         let animation = pose.animation.as_ref().map(|a| a.among("animation", &animations)).transpose()?;
         let variant = pose.variant.as_ref().map(|variant| variant.among("variant", &self.variants)).transpose()?;
-        Ok(ResolvedPose { scene: scene.unwrap_or(self.default_scene), animation, time: pose.time, variant })
+        let Pose { time, without_textures, .. } = *pose;
+        Ok(ResolvedPose { scene: scene.unwrap_or(self.default_scene), animation, time, variant, without_textures })
     }
 }
 

@@ -15,6 +15,8 @@ pub struct Pose {
     pub time: f64,
     /// `None`: each primitive's own material (KHR_materials_variants).
     pub variant: Option<Select>,
+    /// Leaves materials without textures, and images undecoded: for whoever shows shapes alone. Default `false`.
+    pub without_textures: bool,
 }
 
 /// One of several things in a file.

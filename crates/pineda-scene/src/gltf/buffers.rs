@@ -1,10 +1,13 @@
 //! The bytes of buffers: from files, data URIs or the GLB's binary chunk.
 
+use std::collections::HashMap;
+
 use base64::Engine;
 use base64::alphabet::STANDARD;
 use base64::engine::{DecodePaddingMode, GeneralPurpose, GeneralPurposeConfig};
 
-use super::schema::Root;
+use super::meshopt;
+use super::schema::{Meshopt, Root, Whole};
 use crate::limits::Budget;
 use crate::resolver::{path_inside, percent_decode, percent_decode_bytes};
 use crate::text::shown;
@@ -14,6 +17,8 @@ use crate::{Error, Resolver};
 #[derive(Debug, Default)]
 pub(super) struct Buffers {
     loaded: Vec<Option<Result<Vec<u8>, Error>>>,
+    /// The bytes of those views that are compressed.
+    decoded: HashMap<usize, Result<Vec<u8>, Error>>,
 }
 
 impl Buffers {
@@ -21,7 +26,9 @@ impl Buffers {
     pub(super) fn read(root: &mut Root, binary: Option<Vec<u8>>, files: &dyn Resolver, budget: &mut Budget) -> Self {
         let mut is_named = vec![false; root.buffers.len()];
         for view in root.buffer_views.iter() {
-            if let Some(is_named) = is_named.get_mut(view.buffer.index()) {
+            // Of a view that is compressed, the buffer of its own is a copy for others.
+            let buffer = view.meshopt().map_or(view.buffer, |meshopt| meshopt.buffer);
+            if let Some(is_named) = is_named.get_mut(buffer.index()) {
                 *is_named = true;
             }
         }
@@ -41,7 +48,21 @@ impl Buffers {
                 },
             }));
         }
-        Self { loaded }
+        let mut this = Self { loaded, decoded: HashMap::new() };
+        for (number, view) in root.buffer_views.iter().enumerate() {
+            if let Some(meshopt) = view.meshopt() {
+                let decoded = this.decode(number, meshopt, budget);
+                this.decoded.insert(number, decoded);
+            }
+        }
+        this
+    }
+
+    fn decode(&self, number: usize, layout: &Meshopt, budget: &mut Budget) -> Result<Vec<u8>, Error> {
+        let place = format!("buffer view {number}");
+        let bytes = self.slice(&place, layout.buffer, layout.byte_offset, layout.byte_length)?;
+        budget.elements(layout.count.0.saturating_mul(layout.byte_stride.0) / BYTES_PER_ELEMENT)?;
+        meshopt::decode(bytes, layout).map_err(|message| Error::gltf(place, message))
     }
 
     /// A buffer's bytes: those that there are, which may be more or fewer than it says.
@@ -52,7 +73,33 @@ impl Buffers {
             _ => Err(wrong(number, "a buffer view names it, but it does not exist".to_owned())),
         }
     }
+
+    /// The bytes of a buffer view.
+    pub(super) fn view(&self, root: &Root, view: Whole) -> Result<&[u8], Error> {
+        let place = format!("buffer view {view}");
+        let Some(definition) = root.buffer_views.get(view.index()) else {
+            return Err(Error::gltf(place, "it does not exist"));
+        };
+        match self.decoded.get(&view.index()) {
+            Some(decoded) => decoded.as_deref().map_err(again),
+            None => self.slice(&place, definition.buffer, definition.byte_offset, definition.byte_length),
+        }
+    }
+
+    fn slice(&self, place: &str, buffer: Whole, offset: Whole, length: Whole) -> Result<&[u8], Error> {
+        let bytes = self.get(buffer.index())?;
+        let end = offset.0.saturating_add(length.0);
+        if end > bytes.len() as u64 {
+            let message =
+                format!("it ends at byte {end}, but buffer {buffer} has only {} bytes: it is cut short", bytes.len());
+            return Err(Error::gltf(place, message));
+        }
+        Ok(&bytes[offset.0 as usize..end as usize])
+    }
 }
+
+/// What is decompressed counts like an accessor without data, whose elements are vectors mostly.
+const BYTES_PER_ELEMENT: u64 = 12;
 
 fn wrong(number: usize, message: String) -> Error {
     Error::gltf(format!("buffer {number}"), message)
@@ -72,7 +119,7 @@ fn load(number: usize, uri: &str, files: &dyn Resolver, budget: &mut Budget) -> 
 }
 
 /// The same error once more; system errors cannot be cloned.
-fn again(error: &Error) -> Error {
+pub(super) fn again(error: &Error) -> Error {
     match error {
         Error::SideFile { uri, error } => {
             Error::SideFile { uri: uri.clone(), error: std::io::Error::new(error.kind(), error.to_string()) }
@@ -85,7 +132,7 @@ fn again(error: &Error) -> Error {
 }
 
 /// `data:[type][;base64],...` decoded; `None` if it is another kind of URI.
-fn data_uri(uri: &str) -> Option<Result<Vec<u8>, String>> {
+pub(super) fn data_uri(uri: &str) -> Option<Result<Vec<u8>, String>> {
     let scheme = uri.get(..5)?;
     if !scheme.eq_ignore_ascii_case("data:") {
         return None;

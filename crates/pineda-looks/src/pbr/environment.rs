@@ -1,0 +1,207 @@
+//! Light from all around, filtered once so that a surface of any roughness can look it up.
+//!
+//! - What mirrors: a cube map whose levels are what surfaces of more and more roughness reflect (Karis 2013, "Real Shading in Unreal Engine 4", the first sum of two). Each texel is a mean over
+//!   directions drawn from the GGX lobe around it, each looked up in a level as coarse as the draws are far apart (Křivánek and Colbert 2008, "Filtered importance sampling").
+//! - What scatters: nine numbers a colour (Ramamoorthi and Hanrahan 2001, "An Efficient Representation for Irradiance Environment Maps").
+//!
+//! The filtering is drawn, with this very library.
+
+use super::cube::{self, Corner};
+use super::studio::Studio;
+use pineda::{
+    Error, Fragment, Lanes, Real, Renderer, Rgba, Rgba16F, Rgba32F, Sampler, Shader, Texture2d, TextureCube, Vec2,
+    Vec3, Vec4, Wrap, f16_to_f32, shader,
+};
+use std::f32::consts::{FRAC_1_PI, PI};
+
+/// Texels of a face's sides in level 0.
+const SIZE: u32 = 128;
+/// Levels of roughness, from a mirror's to the roughest, whose faces have 4 x 4 texels.
+const LEVELS: u32 = 6;
+/// Directions drawn for each texel of each level but the first.
+const DRAWS: [u32; LEVELS as usize - 1] = [16, 24, 32, 48, 64];
+
+/// Light that comes from infinitely far away, from all around.
+#[derive(Clone, Debug)]
+pub struct Environment {
+    mirrored: TextureCube<'static, Rgba16F>,
+    /// Irradiance over pi as a polynomial of the normal: 1, y, z, x, xy, yz, 3z^2 - 1, xz, x^2 - y^2.
+    scattered: [[f32; 3]; 9],
+    /// Whether the key light shines beside it: what it gives is missing in what scatters.
+    pub(super) has_key: bool,
+}
+
+impl Environment {
+    /// The studio that is made in code. It takes some milliseconds.
+    ///
+    /// Errors: no memory.
+    pub fn studio(renderer: &mut Renderer) -> Result<Self, Error> {
+        let scattered = harmonics(&cube::draw(&Studio { first: 1 }, 16, renderer)?, 16);
+        Self::new(cube::draw(&Studio { first: 0 }, SIZE, renderer)?, scattered, true, renderer)
+    }
+
+    /// A panorama: an image, in linear light, of all directions, that of -z in the middle, those of +y along its first row and of -y along its last (as in .hdr and .exr files of environments).
+    ///
+    /// Errors: sizes that textures cannot have, or another number of pixels; no memory.
+    pub fn panorama(width: u32, height: u32, pixels: Vec<[f32; 4]>, renderer: &mut Renderer) -> Result<Self, Error> {
+        let picture = Texture2d::<Rgba32F>::new(width, height, pixels)?.with_mips()?;
+        // A texel of a face is as wide as this many of the panorama's, or level 0 is finer than that.
+        let level = (width as f32 / (4 * SIZE) as f32).max(1.0);
+        let panorama = Panorama { picture, level: libm::log2f(level) };
+        let faces = cube::draw(&panorama, SIZE, renderer)?;
+        let small = Panorama { level: libm::log2f((width as f32 / 64.0).max(1.0)), ..panorama };
+        let scattered = harmonics(&cube::draw(&small, 16, renderer)?, 16);
+        Self::new(faces, scattered, false, renderer)
+    }
+
+    fn new(
+        faces: Vec<[u16; 4]>,
+        scattered: [[f32; 3]; 9],
+        has_key: bool,
+        renderer: &mut Renderer,
+    ) -> Result<Self, Error> {
+        let source = TextureCube::<Rgba16F>::new(SIZE, &faces[..])?.with_mips()?;
+        let mut levels = faces.clone();
+        for (level, draws) in (1..LEVELS).zip(DRAWS) {
+            let roughness = level as f32 / (LEVELS - 1) as f32;
+            let shader = Prefilter { source: &source, lobe: lobe(roughness, draws) };
+            levels.append(&mut cube::draw(&shader, SIZE >> level, renderer)?);
+        }
+        Ok(Self { mirrored: TextureCube::with_levels(SIZE, LEVELS, levels)?, scattered, has_key })
+    }
+
+    /// What a surface of a roughness reflects, whose mirror image would be what lies in a direction.
+    #[inline(always)]
+    pub(super) fn mirrored<L: Lanes>(&self, direction: Vec3<L>, roughness: Real<L>) -> Vec3<L> {
+        self.mirrored.sample_level(&Sampler::TRILINEAR, direction, roughness * (LEVELS - 1) as f32).rgb()
+    }
+
+    /// Irradiance over pi: what a white, matt surface looks like.
+    #[inline(always)]
+    pub(super) fn scattered<L: Lanes>(&self, normal: Vec3<L>) -> Vec3<L> {
+        let Vec3 { x, y, z } = normal;
+        let terms = [y, z, x, x * y, y * z, 3.0 * z * z - 1.0, x * z, x * x - y * y];
+        let channel = |c: usize| {
+            let mut sum = Real::new(normal.lanes(), self.scattered[0][c]);
+            let mut k = 0;
+            while k < 8 {
+                sum += terms[k] * self.scattered[k + 1][c];
+                k += 1;
+            }
+            sum.max(0.0)
+        };
+        Vec3::new(channel(0), channel(1), channel(2))
+    }
+}
+
+/// The coefficients of what scatters, of a level with `size` x `size` texels a face.
+fn harmonics(texels: &[[u16; 4]], size: usize) -> [[f32; 3]; 9] {
+    let mut sums = [[0.0f64; 3]; 9];
+    for (k, texel) in texels.iter().enumerate() {
+        let (face, y, x) = (k / (size * size), k / size % size, k % size);
+        let [s, t] = [x, y].map(|x| (2 * x + 1) as f32 / size as f32 - 1.0);
+        let direction = cube::direction(face, [s, t]).map(f64::from);
+        let squared: f64 = direction.iter().map(|x| x * x).sum();
+        let [x, y, z] = direction.map(|x| x / squared.sqrt());
+        // The solid angle of the texel.
+        let weight = 4.0 / ((size * size) as f64 * squared * squared.sqrt());
+        let basis = [1.0, y, z, x, x * y, y * z, 3.0 * z * z - 1.0, x * z, x * x - y * y];
+        for (sum, basis) in sums.iter_mut().zip(basis) {
+            for c in 0..3 {
+                sum[c] += f64::from(f16_to_f32(texel[c])) * basis * weight;
+            }
+        }
+    }
+    // The squares of the basis' norms, and by how much each band is dulled: pi, 2 pi / 3, pi / 4, here over pi.
+    let pi = std::f64::consts::PI;
+    let (one, two) = (3.0 / (4.0 * pi) * (2.0 / 3.0), 15.0 / (4.0 * pi) * 0.25);
+    let factors = [1.0 / (4.0 * pi), one, one, one, two, two, two / 12.0, two, two / 4.0];
+    std::array::from_fn(|k| sums[k].map(|sum| (sum * factors[k]) as f32))
+}
+
+/// Directions around +z that a surface reflects to an eye there, drawn from the GGX lobe (Walter et al. 2007): x, y, z (their weight, too) and the level to look up.
+fn lobe(roughness: f32, draws: u32) -> Vec<[f32; 4]> {
+    let alpha_squared = (roughness * roughness) * (roughness * roughness);
+    let mut lobe = Vec::new();
+    for k in 0..draws {
+        // Hammersley's points.
+        let u = (k as f32 + 0.5) / draws as f32;
+        let v = k.reverse_bits() as f32 / 4_294_967_296.0;
+        let cosine_squared = (1.0 - u) / (1.0 + (alpha_squared - 1.0) * u);
+        let (cosine, sine) = (cosine_squared.sqrt(), (1.0 - cosine_squared).max(0.0).sqrt());
+        let z = 2.0 * cosine_squared - 1.0;
+        if z <= 0.0 {
+            continue;
+        }
+        let angle = 2.0 * PI * v;
+        let [x, y] = [libm::cosf(angle), libm::sinf(angle)].map(|c| 2.0 * cosine * sine * c);
+        let d = cosine_squared * (alpha_squared - 1.0) + 1.0;
+        let density = alpha_squared * FRAC_1_PI / (d * d) / 4.0;
+        let (of_draw, of_texel) = (1.0 / (draws as f32 * density), 4.0 * PI / (6 * SIZE * SIZE) as f32);
+        lobe.push([x, y, z, (0.5 * libm::log2f(of_draw / of_texel) + 1.0).max(0.0)]);
+    }
+    lobe
+}
+
+/// A level of what mirrors.
+struct Prefilter<'a> {
+    source: &'a TextureCube<'static, Rgba16F>,
+    lobe: Vec<[f32; 4]>,
+}
+
+#[shader]
+impl Shader for Prefilter<'_> {
+    type Vertex = Corner;
+    type Varyings<L: Lanes> = Vec3<L>;
+
+    fn vertex(&self, &([x, y], direction): &Corner) -> (Vec4, Vec3) {
+        ([x, y, 0.0, 1.0].into(), direction.into())
+    }
+
+    fn fragment<L: Lanes>(&self, f: &mut Fragment<L, Self>) -> Rgba<L> {
+        let normal = f.varyings().normalize();
+        let (tangent, bitangent) = frame(normal);
+        let (mut sum, mut weight) = (f.splat([0.0; 3]), 0.0);
+        for &[x, y, z, level] in &self.lobe {
+            let direction = tangent * x + bitangent * y + normal * z;
+            sum += self.source.sample_level(&Sampler::TRILINEAR, direction, level).rgb() * z;
+            weight += z;
+        }
+        Rgba::opaque(sum / weight)
+    }
+}
+
+/// Two unit vectors at right angles to a third and to each other (Duff et al. 2017, "Building an Orthonormal Basis, Revisited").
+#[shader]
+fn frame<L: Lanes>(n: Vec3<L>) -> (Vec3<L>, Vec3<L>) {
+    let sign = n.z.ge(0.0).select(Real::new(n.lanes(), 1.0), -1.0);
+    let a = -1.0 / (sign + n.z);
+    let b = n.x * n.y * a;
+    (Vec3::new(1.0 + sign * n.x * n.x * a, sign * b, -sign * n.x), Vec3::new(b, sign + n.y * n.y * a, -n.y))
+}
+
+/// A panorama, by direction.
+struct Panorama {
+    picture: Texture2d<'static, Rgba32F>,
+    level: f32,
+}
+
+#[shader]
+impl Shader for Panorama {
+    type Vertex = Corner;
+    type Varyings<L: Lanes> = Vec3<L>;
+
+    fn vertex(&self, &([x, y], direction): &Corner) -> (Vec4, Vec3) {
+        ([x, y, 0.0, 1.0].into(), direction.into())
+    }
+
+    fn fragment<L: Lanes>(&self, f: &mut Fragment<L, Self>) -> Rgba<L> {
+        let Vec3 { x, y, z } = f.varyings().normalize();
+        let u = x.atan2(-z) * (0.5 * FRAC_1_PI) + 0.5;
+        let v = 0.5 - y.clamp(-1.0, 1.0).asin() * FRAC_1_PI;
+        let sampler = Sampler { wrap: [Wrap::Repeat, Wrap::Clamp, Wrap::Clamp], ..Sampler::TRILINEAR };
+        let light = self.picture.sample_level(&sampler, Vec2::new(u, v), self.level).rgb();
+        // Halves end at 65504, and a sun's disc would leave specks.
+        Rgba::opaque(light.max([0.0; 3]).min([500.0; 3]))
+    }
+}

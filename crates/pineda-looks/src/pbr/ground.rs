@@ -1,0 +1,179 @@
+//! The ground below a model: nothing but the shadow that falls on it, so that the model stands somewhere on whatever is behind it.
+//!
+//! Two shadows: the key light's, and that of the light from all around, which is dark where something is close above. Both are smooth, and so they are drawn once to a small map of the ground.
+
+use super::shadow::{DISC, Shadow};
+use crate::Vertex;
+use crate::stage::Stage;
+use pineda::{
+    ColorBuffer, Cull, DepthBuffer, DepthState, DrawState, Error, Fragment, Indices, Lanes, Mat4, Mesh, Pass, R32F,
+    Renderer, Rgba, Sampler, Shader, Space, Target, Texture2d, Vec2, Vec3, Vec4, Wrap, shader,
+};
+
+/// Texels of both maps, across and down.
+const SIZE: u32 = 256;
+/// How far the ground reaches, in the model's own reach.
+const REACH: f32 = 2.6;
+
+/// The ground's shadow, and where it lies.
+#[derive(Debug)]
+pub(super) struct Ground {
+    map: Texture2d<'static, R32F>,
+    corners: [[f32; 3]; 4],
+}
+
+/// Heights above the ground.
+struct FromBelow {
+    clip_from_world: Mat4,
+}
+
+#[shader]
+impl Shader for FromBelow {
+    type Vertex = Vertex;
+    type Varyings<L: Lanes> = ();
+
+    fn vertex(&self, vertex: &Vertex) -> (Vec4, ()) {
+        (self.clip_from_world * Vec3::from(vertex.position).extend(1.0), ())
+    }
+
+    fn fragment<L: Lanes>(&self, f: &mut Fragment<L, Self>) -> Rgba<L> {
+        Rgba::gray(f.z())
+    }
+}
+
+/// How dark the ground is.
+struct Darkness<'a> {
+    heights: &'a Texture2d<'a, R32F>,
+    shadow: Option<&'a Shadow>,
+    /// Half the ground's side.
+    reach: f32,
+    center: [f32; 3],
+}
+
+#[shader]
+impl Shader for Darkness<'_> {
+    type Vertex = [f32; 2];
+    type Varyings<L: Lanes> = ();
+
+    fn vertex(&self, &[x, y]: &[f32; 2]) -> (Vec4, ()) {
+        ([x, y, 0.0, 1.0].into(), ())
+    }
+
+    fn fragment<L: Lanes>(&self, f: &mut Fragment<L, Self>) -> Rgba<L> {
+        let at = Vec2::new(f.x(), f.y()) * (1.0 / SIZE as f32);
+        let sampler = Sampler { wrap: [Wrap::Border; 3], border: [1.0; 4], ..Sampler::BILINEAR };
+        let mut hidden = f.splat(0.0);
+        for [x, y] in DISC {
+            // Close things darken a little of the ground much, higher ones much of it a little.
+            for (radius, weight) in [(0.012, 0.55), (0.05, 0.45)] {
+                let height = self.heights.sample_level(&sampler, at + [x * radius, y * radius], 0.0).r;
+                let near = 1.0 - height;
+                hidden += near * near * (weight / DISC.len() as f32);
+            }
+        }
+        let away = (at - 0.5) * 2.0;
+        let [x, y, z] = self.center;
+        let mut open = 1.0 - 0.75 * hidden;
+        if let Some(shadow) = self.shadow {
+            let place = Vec3::new(away.x * self.reach + x, f.splat(y), away.y * self.reach + z);
+            // Softer where it is farther from what casts it, which is where it is farther from the middle.
+            let soft = away.length().smoothstep(0.15, 0.8);
+            let lit = shadow.lit_within(place, 0.012).mix(shadow.lit_within(place, 0.06), soft);
+            open = open * (1.0 - 0.42 * (1.0 - lit));
+        }
+        let fade = 1.0 - away.length().smoothstep(0.55, 1.0);
+        Rgba::gray((1.0 - open) * fade)
+    }
+}
+
+/// Draws it: black, as transparent as it is lit.
+#[derive(Debug)]
+pub(super) struct ShadowCatcher<'a> {
+    ground: &'a Ground,
+    clip_from_world: Mat4,
+}
+
+#[shader]
+impl Shader for ShadowCatcher<'_> {
+    type Vertex = ([f32; 3], [f32; 2]);
+    type Varyings<L: Lanes> = Vec2<L>;
+
+    fn vertex(&self, (position, uv): &([f32; 3], [f32; 2])) -> (Vec4, Vec2) {
+        (self.clip_from_world * Vec3::from(*position).extend(1.0), (*uv).into())
+    }
+
+    fn fragment<L: Lanes>(&self, f: &mut Fragment<L, Self>) -> Rgba<L> {
+        let sampler = Sampler { wrap: [Wrap::Clamp; 3], ..Sampler::BILINEAR };
+        let darkness = self.ground.map.sample_level(&sampler, f.varyings(), 0.0).r;
+        Rgba::new(f.splat([0.0; 3]), darkness)
+    }
+}
+
+impl Ground {
+    /// `casts` says which props cast a shadow. `None` where the eye is not above the ground.
+    pub(super) fn new(
+        stage: &Stage,
+        shadow: Option<&Shadow>,
+        casts: &[bool],
+        renderer: &mut Renderer,
+    ) -> Result<Option<Self>, Error> {
+        let [low, high] = stage.bounds;
+        let size = [0, 1, 2].map(|axis| (high[axis] - low[axis]).max(1e-6));
+        if stage.camera.eye[1] <= low[1] {
+            return Ok(None);
+        }
+        let reach = REACH * 0.5 * (size[0] * size[0] + size[2] * size[2]).sqrt().max(0.5 * size[1]);
+        // A little lower, so that a floor of the model's own hides it.
+        let center = [0.5 * (low[0] + high[0]), low[1] - 1e-3 * reach, 0.5 * (low[2] + high[2])];
+        let high = 0.35 * (size[0] * size[0] + size[1] * size[1] + size[2] * size[2]).sqrt();
+        let [x, y, z] = center;
+        let from_below = FromBelow {
+            clip_from_world: Mat4::orthographic(-reach, reach, -reach, reach, 0.0, high)
+                * Mat4::look_at(center, [x, y + 1.0, z], [0.0, 0.0, -1.0]),
+        };
+        let mut pass = Pass::new();
+        for (prop, _) in stage.props.iter().zip(casts).filter(|(_, casts)| **casts) {
+            pass.draw(&from_below, prop.mesh(), DrawState { cull: Cull::None, ..DrawState::default() });
+        }
+        let mut heights = vec![0.0; (SIZE * SIZE) as usize];
+        renderer.render(&pass, &mut Target { depth: DepthBuffer::D32F(&mut heights), ..Target::new(SIZE, SIZE) })?;
+
+        // Seen from below, x runs to the left.
+        for row in heights.chunks_exact_mut(SIZE as usize) {
+            row.reverse();
+        }
+        let heights = Texture2d::new(SIZE, SIZE, heights)?;
+        let darkness = Darkness { heights: &heights, shadow, reach, center };
+        let side = 2.0 * SIZE as f32;
+        let corners = [[0.0, 0.0], [0.0, side], [side, 0.0]];
+        let mut pass = Pass::new();
+        let state = DrawState { space: Space::Raster, ..DrawState::default() };
+        pass.draw(&darkness, Mesh { vertices: &corners, indices: Indices::Sequential }, state);
+        let mut map = vec![0.0; (SIZE * SIZE) as usize];
+        renderer.render(&pass, &mut Target { color: ColorBuffer::R32F(&mut map), ..Target::new(SIZE, SIZE) })?;
+        let corners = [[-1.0, -1.0], [-1.0, 1.0], [1.0, 1.0], [1.0, -1.0]];
+        let corners = corners.map(|[s, t]: [f32; 2]| [x + s * reach, y, z + t * reach]);
+        Ok(Some(Self { map: Texture2d::new(SIZE, SIZE, map)?, corners }))
+    }
+
+    /// Its corners, with where they lie in the map.
+    pub(super) fn vertices(&self) -> [([f32; 3], [f32; 2]); 6] {
+        let [a, b, c, d] = self.corners;
+        let [a, b, c, d] = [(a, [0.0, 0.0]), (b, [0.0, 1.0]), (c, [1.0, 1.0]), (d, [1.0, 0.0])];
+        [a, b, c, a, c, d]
+    }
+
+    pub(super) fn shader(&self, clip_from_world: Mat4) -> ShadowCatcher<'_> {
+        ShadowCatcher { ground: self, clip_from_world }
+    }
+
+    pub(super) fn state() -> DrawState {
+        DrawState {
+            blend: pineda::Blend::PREMULTIPLIED,
+            depth: DepthState { write: false, ..DepthState::default() },
+            // It reaches beyond the camera's far plane.
+            depth_clamp: true,
+            ..DrawState::default()
+        }
+    }
+}
