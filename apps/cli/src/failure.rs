@@ -37,6 +37,16 @@ impl Failure {
         self
     }
 
+    /// In which file or argument, unless that is known already.
+    pub(crate) fn at_first(self, place: impl fmt::Display) -> Self {
+        if self.place.is_some() { self } else { self.at(place) }
+    }
+
+    /// What, where, and what to do about it.
+    pub(crate) fn parts(&self) -> [Option<&str>; 3] {
+        [Some(&self.what), self.place.as_deref(), self.help.as_deref()]
+    }
+
     /// What to do about it.
     pub(crate) fn help(mut self, help: impl fmt::Display) -> Self {
         self.help = Some(help.to_string());

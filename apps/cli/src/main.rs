@@ -2,10 +2,13 @@
 
 mod arguments;
 mod failure;
+mod heat;
+mod info;
 mod output;
 mod picture;
 mod raster;
 mod render;
+mod shell;
 mod srgb;
 mod values;
 
@@ -29,9 +32,12 @@ fn main() -> ExitCode {
 }
 
 fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let mut renderer = arguments.how.renderer()?;
+    let how = &arguments.how;
     match &arguments.command {
-        Command::Raster(arguments) => raster::run(arguments, &mut renderer),
-        Command::Render(arguments) => render::run(arguments, &mut renderer),
+        Command::Render(arguments) => render::run(arguments, how),
+        Command::Info(arguments) => info::run(arguments),
+        Command::Raster(arguments) => raster::run(arguments, &mut how.renderer()?),
+        Command::Completions { shell } => shell::completions(*shell),
+        Command::Man { command } => shell::man(command.as_deref()),
     }
 }

@@ -2,8 +2,54 @@
 
 use crate::failure::Failure;
 use std::fs::{self, File, OpenOptions};
-use std::io::{self, Write};
+use std::io::{self, IsTerminal, Write};
 use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicU64, Ordering};
+
+/// Where a picture goes.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum Output {
+    /// `-`.
+    Standard,
+    File(PathBuf),
+}
+
+impl Output {
+    pub(crate) fn of(path: &Path) -> Self {
+        if path == Path::new("-") { Self::Standard } else { Self::File(path.to_owned()) }
+    }
+
+    /// Refuses what cannot be written, before time is spent on drawing it.
+    pub(crate) fn check(&self) -> Result<(), Failure> {
+        match self {
+            Self::Standard if io::stdout().is_terminal() => {
+                Err(Failure::usage("a picture's bytes are nothing for a terminal")
+                    .at("-o -")
+                    .help("send them somewhere: add `> picture.png`, or name a file"))
+            }
+            Self::Standard => Ok(()),
+            Self::File(path) => check(path),
+        }
+    }
+
+    pub(crate) fn write(&self, bytes: &[u8]) -> Result<(), Failure> {
+        match self {
+            Self::Standard => {
+                let mut out = io::stdout().lock();
+                let written = out.write_all(bytes).and_then(|()| out.flush());
+                written.map_err(|error| cannot_write(Path::new("standard output"), error))
+            }
+            Self::File(path) => write(path, bytes),
+        }
+    }
+}
+
+/// Makes a folder for pictures, and those that it is in.
+pub(crate) fn make_folder(path: &Path) -> Result<(), Failure> {
+    fs::create_dir_all(path).map_err(|error| {
+        Failure::data(format_args!("the folder for pictures cannot be made: {error}")).at(path.display())
+    })
+}
 
 /// Refuses what cannot be written, before time is spent on drawing it.
 pub(crate) fn check(path: &Path) -> Result<(), Failure> {
@@ -55,7 +101,10 @@ struct Unfinished {
 impl Unfinished {
     /// In the folder of `path`, so that renaming it is one step.
     fn create(path: &Path) -> io::Result<Self> {
-        let path = path.with_file_name(format!(".pineda-{}.part", std::process::id()));
+        // Several threads may write to one folder.
+        static NUMBER: AtomicU64 = AtomicU64::new(0);
+        let number = NUMBER.fetch_add(1, Ordering::Relaxed);
+        let path = path.with_file_name(format!(".pineda-{}-{number}.part", std::process::id()));
         let file = OpenOptions::new().write(true).create_new(true).open(&path)?;
         Ok(Self { path, file, finished: false })
     }

@@ -1,6 +1,7 @@
 //! Values of options, checked where they are read.
 
-use pineda::MAX_SIZE;
+use clap::ValueEnum;
+use pineda::{MAX_SIZE, Samples};
 use std::str::FromStr;
 
 /// Pixels across and down, both in 1 to [`MAX_SIZE`].
@@ -43,6 +44,84 @@ pub(crate) fn finite(text: &str) -> Result<f64, String> {
         Ok(number) if number.is_finite() => Ok(number),
         Ok(_) => Err("must be finite".to_owned()),
         Err(_) => Err("is not a number".to_owned()),
+    }
+}
+
+/// A number above 0.
+pub(crate) fn positive(text: &str) -> Result<f64, String> {
+    let number = finite(text)?;
+    if number > 0.0 { Ok(number) } else { Err("must be above 0".to_owned()) }
+}
+
+/// Three numbers.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Vector(pub(crate) [f64; 3]);
+
+impl FromStr for Vector {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let numbers: Result<Vec<f64>, String> = text.split(',').map(|number| finite(number.trim())).collect();
+        match numbers.as_deref() {
+            Ok(&[x, y, z]) => Ok(Self([x, y, z])),
+            _ => Err("is not a place: give three numbers, such as 1,2.5,-3".to_owned()),
+        }
+    }
+}
+
+/// What is upwards.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Up(pub(crate) [f64; 3]);
+
+impl FromStr for Up {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let (sign, axis) = text.strip_prefix('-').map_or((1.0, text), |axis| (-1.0, axis));
+        Ok(Self(match axis {
+            "x" | "X" => [sign, 0.0, 0.0],
+            "y" | "Y" => [0.0, sign, 0.0],
+            "z" | "Z" => [0.0, 0.0, sign],
+            _ => match text.parse() {
+                Ok(Vector(up)) if up != [0.0; 3] => up,
+                _ => return Err("is not a direction: give x, y, z, -x, -y, -z, or X,Y,Z".to_owned()),
+            },
+        }))
+    }
+}
+
+/// How many samples a pixel has.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct SampleCount(pub(crate) Samples);
+
+impl FromStr for SampleCount {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let samples = Samples::ALL.into_iter().find(|samples| samples.count().to_string() == text);
+        samples.map(Self).ok_or_else(|| "a pixel has 1, 2, 4, 8 or 16 samples".to_owned())
+    }
+}
+
+/// A model's format, as it is named on the command line.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum ModelFormat {
+    Obj,
+    Stl,
+    Ply,
+    /// glTF, or GLB
+    #[value(alias = "glb")]
+    Gltf,
+}
+
+impl From<ModelFormat> for pineda_scene::Format {
+    fn from(format: ModelFormat) -> Self {
+        match format {
+            ModelFormat::Obj => Self::Obj,
+            ModelFormat::Stl => Self::Stl,
+            ModelFormat::Ply => Self::Ply,
+            ModelFormat::Gltf => Self::Gltf,
+        }
     }
 }
 
@@ -128,6 +207,27 @@ mod tests {
         assert_eq!(crease_angle("0"), Ok(0.0));
         assert!(crease_angle("181").is_err() && crease_angle("-0.1").is_err() && crease_angle("nan").is_err());
         assert!(finite("1e999").is_err());
+    }
+
+    #[test]
+    fn values_of_directions_and_places() {
+        assert_eq!("1,-2.5,3e2".parse(), Ok(Vector([1.0, -2.5, 300.0])));
+        assert_eq!("-z".parse(), Ok(Up([0.0, 0.0, -1.0])));
+        assert_eq!("0,1,1".parse(), Ok(Up([0.0, 1.0, 1.0])));
+        for wrong in ["", "1,2", "1,2,3,4", "1,2,x", "NaN,0,0", "inf,0,0"] {
+            assert!(wrong.parse::<Vector>().is_err(), "{wrong}");
+            assert!(wrong.parse::<Up>().is_err(), "{wrong}");
+        }
+        assert!("0,0,0".parse::<Up>().is_err() && "w".parse::<Up>().is_err());
+        assert!(positive("0").is_err() && positive("-1").is_err() && positive("0.5") == Ok(0.5));
+    }
+
+    #[test]
+    fn values_of_samples() {
+        assert_eq!("16".parse(), Ok(SampleCount(Samples::Sixteen)));
+        for wrong in ["0", "3", "32", "04", "-1", ""] {
+            assert!(wrong.parse::<SampleCount>().is_err(), "{wrong}");
+        }
     }
 
     #[test]

@@ -1,34 +1,40 @@
-//! Ready shaders for [`pineda`]: how a surface looks, given a camera and a base colour.
+//! How models look: physically based ([`pbr`]), and modes for tools and tests, drawn by [`pineda`].
 //!
-//! | shader | what it shows | target |
-//! | --- | --- | --- |
-//! | [`Studio`] | a photographer's soft light: key, fill, rim and a bright sky | `Rgba8Srgb`, `Rgba32F` |
-//! | [`Lambert`] | one distant light and a quarter of ambient light | `Rgba8Srgb`, `Rgba32F` |
-//! | [`Normals`] | the normal, `n * 0.5 + 0.5` | `Rgba8`, `Rgba32F` |
-//! | [`Depth`] | the distance along the view axis, 0 at the near and 1 at the far plane | `Rgba32F` |
+//! A [`Stage`] is a scene and a camera, made ready to draw; [`Show`] has the shaders that show it in a [`Mode`]:
 //!
-//! All of them draw a [`Vertex`] buffer in world space. Back faces turn their normals around, so both sides of a surface
-//! are lit; alpha is always 1. Which object and triangle a pixel shows needs no shader:
-//! [`Target::draw_ids`](pineda::Target) and [`Target::triangle_ids`](pineda::Target) say it.
+//! | mode | shader | what it shows | target |
+//! | --- | --- | --- | --- |
+//! | [`Studio`](Mode::Studio) | [`Studio`] | a photographer's soft light: key, fill, rim and a bright sky | `Rgba8Srgb`, `Rgba32F` |
+//! | [`Unlit`](Mode::Unlit) | [`Unlit`] | base colour, texture and vertex colour, no light | `Rgba8Srgb`, `Rgba32F` |
+//! | [`Lambert`](Mode::Lambert) | [`Lambert`], [`MappedLambert`] | one distant light and a quarter of ambient light | `Rgba8Srgb`, `Rgba32F` |
+//! | [`Normals`](Mode::Normals) | [`Normals`], [`MappedNormals`] | the normal, `n * 0.5 + 0.5` | `Rgba8`, `Rgba32F` |
+//! | [`Depth`](Mode::Depth) | [`Depth`] | the distance along the view axis, 0 at the near and 1 at the far plane | `Rgba32F` |
+//! | [`Uv`](Mode::Uv) | [`Uv`] | texture coordinates in red and green | `Rgba8`, `Rgba32F` |
+//! | [`Wireframe`](Mode::Wireframe) | [`Wireframe`] | edges on a pale surface | `Rgba8Srgb`, `Rgba32F` |
+//! | [`Matcap`](Mode::Matcap) | [`Matcap`] | clay that was lit once and for all: shapes without materials | `Rgba8Srgb`, `Rgba32F` |
+//! | [`Overdraw`](Mode::Overdraw) | [`CutOut`] | how many fragments a pixel gets | `R32F`, `Rgba32F` |
+//!
+//! Which object and triangle a pixel shows needs no shader: [`Target::draw_ids`](pineda::Target) and [`Target::triangle_ids`](pineda::Target) say it, and
+//! [`Target::hits`](pineda::Target) how many triangles cover it.
+//!
+//! Back faces turn their normals around, so both sides of a surface are lit. What is cut out (`MASK`) is not there, in all modes but wireframes; what is blended (`BLEND`) is so in the first three modes, and opaque in the others.
+//! A picture whose background is transparent black has its colours multiplied by alpha then: it wants a target of floats, and to be divided by alpha at last.
 //!
 //! ```
-//! use pineda::{ColorBuffer, DrawState, Indices, Mat4, Mesh, Pass, Renderer, Settings, Target};
-//! use pineda_looks::{Lambert, Vertex};
+//! use pineda::{ColorBuffer, Pass, Renderer, Settings, Target};
+//! use pineda_looks::{Mode, Show, Stage, Textures};
+//! use pineda_scene::{Bounds, Framing, View};
 //!
-//! let corner = |x, y| Vertex { position: [x, y, 0.0], normal: [0.0, 0.0, 1.0], ..Vertex::default() };
-//! let triangle = [corner(-1.0, -1.0), corner(1.0, -1.0), corner(0.0, 1.0)];
-//! let view = Mat4::look_at([0.0, 0.0, 3.0], [0.0; 3], [0.0, 1.0, 0.0]);
-//! let shader = Lambert {
-//!     clip_from_world: Mat4::perspective(0.8, 1.0, 1.0, 5.0) * view,
-//!     base_color: [1.0, 0.5, 0.2],
-//!     ..Lambert::default()
-//! };
+//! let mut scene = pineda_scene::demo();
+//! let framing = Framing::new(&Bounds::of(&scene).expect("not empty"), &View::default()).expect("a view");
+//! let stage = Stage::new(&mut scene, &framing, 1.0, 40.0).expect("not empty");
+//! let show = Show::new(&stage, &scene, Mode::Lambert, Textures::default())?;
 //! let mut pass = Pass::new();
-//! pass.draw(&shader, Mesh { vertices: &triangle, indices: Indices::Sequential }, DrawState::default());
+//! show.record(&stage, &mut pass);
 //! let mut pixels = vec![[0; 4]; 64 * 64];
 //! let mut target = Target { color: ColorBuffer::Rgba8Srgb(&mut pixels), ..Target::new(64, 64) };
 //! Renderer::new(Settings::default())?.render(&pass, &mut target)?;
-//! assert_eq!(pixels[32 * 64 + 32][3], 255);
+//! assert!(pixels.iter().any(|pixel| pixel[3] == 255));
 //! # Ok::<(), pineda::Error>(())
 //! ```
 

@@ -25,12 +25,7 @@ pub(crate) struct Slopes<L: Lanes> {
 
 /// The same without a tangent. `facing` is the interpolated normal turned towards the eye by 1 or -1. Where coordinates do not change, the normal stays as it is.
 #[shader]
-pub(crate) fn from_slopes<L: Lanes>(
-    texel: Vec3<L>,
-    normal: Vec3<L>,
-    facing: Real<L>,
-    slopes: Slopes<L>,
-) -> Vec3<L> {
+pub(crate) fn from_slopes<L: Lanes>(texel: Vec3<L>, normal: Vec3<L>, facing: Real<L>, slopes: Slopes<L>) -> Vec3<L> {
     let normal = normal.normalize();
     let ([right, down], [uv_right, uv_down]) = (slopes.position, slopes.uv);
     let towards_eye = normal * facing;

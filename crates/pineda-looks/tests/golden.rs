@@ -4,7 +4,7 @@
 #![allow(missing_docs, reason = "a test")]
 
 use pineda::{ColorBuffer, DrawState, Indices, Mat4, Mesh, Pass, Renderer, Settings, Shader, Simd, Target, TileSize};
-use pineda_looks::{Depth, Lambert, Normals, Studio, Vertex};
+use pineda_looks::{BaseColor, Depth, Lambert, Normals, Studio, Vertex};
 
 const SIZE: u32 = 96;
 const EYE: [f32; 3] = [1.0, 1.5, 3.0];
@@ -84,10 +84,7 @@ fn check<S: Shader<Vertex = Vertex>>(shader: &S, expected: u64) {
 
 #[test]
 fn lambert_golden() {
-    check(
-        &Lambert { clip_from_world: camera(), base_color: [0.9, 0.8, 0.7], ..Lambert::default() },
-        0x7986_1160_8c4e_5853,
-    );
+    check(&Lambert::new(camera(), BaseColor::opaque([0.9, 0.8, 0.7])), 0x7986_1160_8c4e_5853);
 }
 
 #[test]
@@ -97,22 +94,22 @@ fn normals_golden() {
 
 #[test]
 fn depth_golden() {
-    check(&Depth { clip_from_world: camera(), near: NEAR, far: FAR }, 0x55dd_940d_ee4c_336b);
+    check(&Depth::perspective(camera(), NEAR, FAR), 0x55dd_940d_ee4c_336b);
 }
 
 #[test]
 fn studio_golden() {
-    let studio = Studio::new(camera(), EYE, [0.0; 3], [0.0, 1.0, 0.0]);
-    check(&Studio { base_color: [0.9, 0.8, 0.7], ..studio }, 0x23ad_541d_a4d8_e864);
+    let base = BaseColor::opaque([0.9, 0.8, 0.7]);
+    check(&Studio::new(camera(), EYE, [0.0; 3], [0.0, 1.0, 0.0], base), 0x23ad_541d_a4d8_e864);
 }
 
 /// What is seen of the surface faces the eye, on both sides of it; and light neither vanishes nor burns out.
 #[test]
 fn looks_stay_in_range() {
     let settings = Settings::default();
-    let studio = draw(&Studio::new(camera(), EYE, [0.0; 3], [0.0, 1.0, 0.0]), &settings);
+    let studio = draw(&Studio::new(camera(), EYE, [0.0; 3], [0.0, 1.0, 0.0], BaseColor::default()), &settings);
     let normals = draw(&Normals { clip_from_world: camera() }, &settings);
-    let depth = draw(&Depth { clip_from_world: camera(), near: NEAR, far: FAR }, &settings);
+    let depth = draw(&Depth::perspective(camera(), NEAR, FAR), &settings);
     let mut covered = 0;
     for ((light, normal), depth) in studio.iter().zip(&normals).zip(&depth) {
         assert_eq!([light[3], normal[3]], [depth[3]; 2]);
@@ -150,9 +147,9 @@ fn looks_of_a_plane_are_what_the_formulas_say() {
         Renderer::new(Settings::default()).unwrap().render(&pass, &mut target).unwrap();
         pixel[0]
     }
-    assert_eq!(center(&Depth { clip_from_world, near: 1.0, far: 5.0 }, &plane), [0.5, 0.5, 0.5, 1.0]);
+    assert_eq!(center(&Depth::perspective(clip_from_world, 1.0, 5.0), &plane), [0.5, 0.5, 0.5, 1.0]);
     assert_eq!(center(&Normals { clip_from_world }, &plane), [0.5, 0.5, 1.0, 1.0]);
-    let [r, g, b, a] = center(&Lambert { clip_from_world, base_color: [1.0, 1.0, 0.5], ..Lambert::default() }, &plane);
+    let [r, g, b, a] = center(&Lambert::new(clip_from_world, BaseColor::opaque([1.0, 1.0, 0.5])), &plane);
     let light = 0.25 + 0.75 * 0.8 / 1.89f32.sqrt();
     assert!([r - 0.5 * light, g - light, b - 0.5 * light].iter().all(|difference| difference.abs() < 1e-6));
     assert_eq!(a, 1.0);

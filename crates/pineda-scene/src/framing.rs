@@ -14,8 +14,8 @@
 //!            eye
 //! ```
 
-use crate::vector::{Vec3, add, cross, dot, length, normalize, scale};
-use crate::{Bounds, Error};
+use crate::vector::{Vec3, add, cross, dot, length, normalize, scale, sub};
+use crate::{Bounds, Camera, Error, Projection};
 
 /// From where and how wide to look.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -133,6 +133,50 @@ fn turned(up: Vec3, v: Vec3) -> Vec3 {
     add(add(scale(v, uy), cross(k, v)), scale(k, along))
 }
 
+impl Framing {
+    /// A camera at `eye` that looks at `target`; near and far plane hold all of `bounds` that is in front of it.
+    ///
+    /// # Errors
+    /// [`Error::View`] if the two are the same place, or numbers are not finite.
+    pub fn looking(eye: Vec3, target: Vec3, up: Vec3, lens: Lens, bounds: &Bounds) -> Result<Self, Error> {
+        let forward = sub(target, eye);
+        let distance = length(forward);
+        let fine = distance > 0.0 && distance.is_finite();
+        check("distance", distance, fine, "the eye and what it looks at are two places, with finite coordinates")?;
+        let forward = scale(forward, 1.0 / distance);
+        let along = dot(sub(bounds.center(), eye), forward);
+        let radius = radius_seen(bounds.radius(), length(bounds.center()));
+        // With all of it behind the eye nothing is seen, whatever the planes.
+        let far = larger(along + 1.05 * radius, 1e-3 * distance);
+        let near = match lens {
+            Lens::Perspective { .. } => larger(along - 1.05 * radius, 1e-3 * far),
+            Lens::Orthographic { .. } => along - 1.05 * radius,
+        };
+        Ok(Self { eye, target, up, lens, near: if near < far { near } else { 0.5 * far }, far })
+    }
+
+    /// A model's own camera; where it says nothing of the far plane, that is behind all of `bounds`.
+    ///
+    /// # Errors
+    /// [`Error::View`] if numbers are not finite.
+    pub fn of_camera(camera: &Camera, bounds: &Bounds) -> Result<Self, Error> {
+        let lens = match camera.projection {
+            Projection::Perspective { fov_y, .. } => Lens::Perspective { fov_y },
+            Projection::Orthographic { y_mag, .. } => Lens::Orthographic { half_height: y_mag },
+        };
+        // It looks at what is as far away as the middle of the box.
+        let radius = radius_seen(bounds.radius(), length(bounds.center()));
+        let along = dot(sub(bounds.center(), camera.eye), camera.forward);
+        let target = add(camera.eye, scale(camera.forward, larger(along, radius)));
+        let framing = Self::looking(camera.eye, target, camera.up, lens, bounds)?;
+        let (near, far) = match camera.projection {
+            Projection::Perspective { near, far, .. } => (near, far),
+            Projection::Orthographic { near, far, .. } => (near, Some(far)),
+        };
+        Ok(Self { near, far: far.unwrap_or(larger(framing.far, 2.0 * near)), ..framing })
+    }
+}
+
 fn check(name: &'static str, value: f64, fine: bool, expected: &'static str) -> Result<(), Error> {
     if fine { Ok(()) } else { Err(Error::View { name, value, expected }) }
 }
@@ -160,7 +204,6 @@ fn larger(a: f64, b: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::vector::sub;
 
     const CUBE: Bounds = Bounds { min: [-1.0; 3], max: [1.0; 3] };
 
@@ -179,7 +222,9 @@ mod tests {
 
     #[test]
     fn framing_bits_are_the_same_everywhere() {
-        let framing = Framing::new(&CUBE, &View { azimuth: 123.0, elevation: -7.5, fov: 33.0, aspect: 0.75, ..View::default() }).unwrap();
+        let framing =
+            Framing::new(&CUBE, &View { azimuth: 123.0, elevation: -7.5, fov: 33.0, aspect: 0.75, ..View::default() })
+                .unwrap();
         let bits = [4_619_162_814_199_971_841, 13_830_745_614_017_192_135, 13_839_913_543_229_666_767];
         assert_eq!(framing.eye.map(f64::to_bits), bits);
     }

@@ -65,6 +65,7 @@ mod scene;
 mod stl;
 mod text;
 mod texture;
+mod tight;
 mod vector;
 
 pub use bounds::Bounds;

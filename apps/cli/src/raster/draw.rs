@@ -3,6 +3,7 @@
 use super::file::{Drawing, Vertex};
 use crate::arguments::Show;
 use crate::failure::Failure;
+use crate::heat::count_color;
 use crate::picture::{Picture, Pixels};
 use crate::render::depth_code;
 use pineda::{
@@ -75,20 +76,6 @@ fn execute<'a>(
     let target = Target::new(drawing.size.width, drawing.size.height);
     renderer.render(&pass, &mut buffers(target))?;
     Ok(())
-}
-
-/// As the help of `--show count` says.
-fn count_color(hits: u32) -> [u8; 3] {
-    match hits {
-        0 => [0, 0, 0],
-        1 => [40, 90, 200],
-        2 => [40, 170, 70],
-        3 => [240, 220, 50],
-        4 => [245, 140, 30],
-        5 => [220, 40, 40],
-        6 => [200, 60, 200],
-        _ => [255, 255, 255],
-    }
 }
 
 /// The bits of the number plus 1, dealt to red, green and blue in turn, from the brightest of each on: neighbours differ

@@ -1,140 +1,138 @@
-//! `pineda render`: a model, framed and shaded as the project's render conventions define.
+//! `pineda render`: models, framed and shaded as the project's render conventions define.
 
-mod background;
-mod modes;
-mod resolve;
-mod stage;
+mod batch;
+mod camera;
+mod develop;
+mod draw;
+mod load;
+mod names;
+mod plan;
+mod progress;
+mod report;
 
-pub(crate) use modes::depth_code;
+pub(crate) use draw::depth_code;
+pub(crate) use load::{failure, model};
 
-use crate::arguments::{RenderArguments, Shading};
+use crate::arguments::{How, RenderArguments};
 use crate::failure::Failure;
-use crate::output;
-use crate::picture::{Format, Picture};
-use crate::values::{Background, Size};
-use pineda::{MAX_SIZE, Renderer};
-use stage::Stage;
+use crate::output::{self, Output};
+use crate::picture::Picture;
+use names::Job;
+use pineda::Renderer;
+use pineda_looks::Stage;
+use pineda_scene::Loaded;
+use plan::Plan;
+use progress::Progress;
+use report::{Outcome, Report};
 use std::io::Write;
+use std::path::Path;
+use std::time::Instant;
 
-/// The angle up to which faces are smoothed into each other in the default look, in degrees.
-const DEFAULT_CREASE: f64 = 40.0;
-
-pub(crate) fn run(arguments: &RenderArguments, renderer: &mut Renderer) -> Result<(), Failure> {
-    let format = Format::of(&arguments.output)?;
+pub(crate) fn run(arguments: &RenderArguments, how: &How) -> Result<(), Failure> {
+    let (jobs, format) = names::jobs(&arguments.models, &arguments.files)?;
     let plan = Plan::new(arguments, format)?;
-    output::check(&arguments.output)?;
-    let stage = Stage::new(scene(arguments)?, arguments, plan.crease)?;
-    let picture = Picture { size: arguments.size, pixels: modes::draw(&stage, &plan, renderer)? };
-    output::write(&arguments.output, &picture.encode(format)?)
-}
-
-/// What the options amount to together.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Plan {
-    shading: Shading,
-    size: Size,
-    /// Samples a pixel in each direction.
-    oversampling: u32,
-    background: Background,
-    /// 0 for flat faces.
-    crease: f64,
-}
-
-impl Plan {
-    fn new(arguments: &RenderArguments, format: Format) -> Result<Self, Failure> {
-        let (shading, size) = (arguments.shading, arguments.size);
-        let is_studio = shading == Shading::Studio;
-        let oversampling = match arguments.samples.as_deref() {
-            Some("16") => 4,
-            Some("4") => 2,
-            None if is_studio => 2,
-            _ => 1,
-        };
-        if oversampling > 1 && !is_studio {
-            return Err(Failure::usage("anti-aliasing is for studio shading: the other modes are exact")
-                .at("--samples")
-                .help("leave --samples away, or give --shading studio"));
-        }
-        if size.width.max(size.height) * oversampling > MAX_SIZE {
-            let most = MAX_SIZE / oversampling;
-            let samples = oversampling * oversampling;
-            return Err(Failure::usage(format_args!(
-                "with {samples} samples a pixel a picture has at most {most} pixels a side"
-            ))
-            .at(format_args!("--size {}x{}", size.width, size.height))
-            .help("give a smaller --size, or --samples 1"));
-        }
-        if matches!(shading, Shading::Depth | Shading::Ids) && arguments.background.is_some() {
-            return Err(Failure::usage("this shading shows numbers: it has no background")
-                .at("--background")
-                .help("leave --background away"));
-        }
-        if shading == Shading::Ids && format == Format::Ppm {
-            return Err(Failure::usage("PPM has three channels, and ids need four")
-                .at(format_args!("-o {}", arguments.output.display()))
-                .help("name the output .png"));
-        }
-        let default_background = if is_studio { Background::Studio } else { Background::Transparent };
-        Ok(Self {
-            shading,
-            size,
-            oversampling,
-            background: arguments.background.unwrap_or(default_background),
-            crease: arguments.smooth.unwrap_or(if is_studio { DEFAULT_CREASE } else { 0.0 }),
-        })
+    match &arguments.files.out_dir {
+        Some(_) => many(&jobs, &plan, arguments, how),
+        None => one(&jobs[0], &plan, arguments, how),
     }
 }
 
-fn scene(arguments: &RenderArguments) -> Result<pineda_scene::Scene, Failure> {
-    let Some(path) = &arguments.model else { return Ok(pineda_scene::demo()) };
-    let loaded = pineda_scene::load(path).map_err(|error| match error {
-        pineda_scene::Error::File { path, error } => {
-            Failure::data(format_args!("the model {}", predicate(&error))).at(path.display())
+/// One picture: what is wrong with it is what is wrong.
+fn one(job: &Job, plan: &Plan, arguments: &RenderArguments, how: &How) -> Result<(), Failure> {
+    job.output.check()?;
+    let start = Instant::now();
+    let drawn = how.renderer().and_then(|mut renderer| draw(job, plan, arguments, &mut renderer));
+    if !arguments.files.json {
+        Progress::new(1).lines(&lines(drawn.as_deref().unwrap_or_default(), None));
+        return drawn.map(|_| ());
+    }
+    let outcome = match drawn {
+        Ok(notes) => Outcome::Drawn { notes, time: start.elapsed() },
+        Err(failure) => Outcome::Failed(failure),
+    };
+    let report = Report::new(std::slice::from_ref(job), std::slice::from_ref(&outcome), plan.size).json()?;
+    print(&report)?;
+    if let Outcome::Failed(failure) = outcome { Err(failure) } else { Ok(()) }
+}
+
+/// Many pictures: what is wrong with some is listed when the others are done.
+fn many(jobs: &[Job], plan: &Plan, arguments: &RenderArguments, how: &How) -> Result<(), Failure> {
+    for job in jobs {
+        if let Output::File(path) = &job.output {
+            output::make_folder(path.parent().unwrap_or(Path::new("")))?;
         }
-        error => Failure::data(error).at(path.display()),
+    }
+    let files = &arguments.files;
+    let progress = Progress::new(jobs.len());
+    let outcomes = batch::run(jobs, how, files.jobs.map(usize::from), &progress, |job, renderer| {
+        if files.resume && is_done(job) {
+            return Outcome::Skipped;
+        }
+        let start = Instant::now();
+        match job.output.check().and_then(|()| draw(job, plan, arguments, renderer)) {
+            Ok(notes) => {
+                if !files.json {
+                    progress.lines(&lines(&notes, job.model.as_deref()));
+                }
+                Outcome::Drawn { notes, time: start.elapsed() }
+            }
+            Err(failure) => Outcome::Failed(failure),
+        }
     })?;
-    let mut notes = loaded.notes;
-    notes.extend(not_drawn(&loaded.scene));
-    if loaded.scene.objects.iter().all(|object| object.triangles.is_empty()) {
-        let reasons = notes.join("; ");
-        return Err(Failure::data(format_args!("the model has nothing to draw ({reasons})")).at(path.display()));
+    if files.json {
+        print(&Report::new(jobs, &outcomes, plan.size).json()?)?;
     }
-    for note in &notes {
+    let failures: Vec<&Failure> =
+        outcomes.iter().filter_map(|o| if let Outcome::Failed(failure) = o { Some(failure) } else { None }).collect();
+    for failure in &failures {
         // Nobody is left to tell if standard error is closed.
-        let _ = writeln!(std::io::stderr(), "note: {note}");
+        let _ = write!(std::io::stderr(), "{failure}");
     }
-    Ok(loaded.scene)
+    match failures.len() {
+        0 => Ok(()),
+        failed => Err(Failure::data(format_args!("{failed} of {} models could not be drawn", jobs.len()))
+            .help("the reasons are above; the other pictures are written")),
+    }
 }
 
-/// What a scene has that no shading shows yet, one line each.
-fn not_drawn(scene: &pineda_scene::Scene) -> Vec<String> {
-    let sum = |count: fn(&pineda_scene::Object) -> usize| scene.objects.iter().map(count).sum::<usize>();
-    let [strokes, images] = [sum(|o| o.lines.len() + o.points.len()), scene.images.len()];
-    let mut drawn = vec![false; scene.materials.len()];
-    scene.objects.iter().for_each(|object| drawn[object.material] = true);
-    let is_blended = |(material, drawn): &(&pineda_scene::Material, bool)| {
-        *drawn && material.alpha_mode != pineda_scene::AlphaMode::Opaque
+/// Draws and writes a picture. The result is what was left out of the model.
+fn draw(job: &Job, plan: &Plan, arguments: &RenderArguments, renderer: &mut Renderer) -> Result<Vec<String>, Failure> {
+    let loaded = match &job.model {
+        None => Loaded { scene: pineda_scene::demo(), notes: Vec::new() },
+        Some(path) => load::posed(path, arguments.files.model_format, &plan.pose)?,
     };
-    let blended = scene.materials.iter().zip(drawn).filter(is_blended).count();
-    let mut lines = Vec::new();
-    let mut line = |count: usize, what: &str, one: &str, many: &str, how: &str| {
-        if count > 0 {
-            lines.push(format!("{what} not drawn yet: {count} {} {how}", if count == 1 { one } else { many }));
-        }
+    let place = |failure: Failure| match &job.model {
+        Some(path) => failure.at_first(path.display()),
+        None => failure,
     };
-    line(strokes, "lines and points are", "line or point", "lines and points", "skipped");
-    line(images, "textures are", "image", "images", "ignored");
-    line(blended, "transparency is", "material", "materials", "drawn opaque");
-    lines
+    let Loaded { mut scene, notes } = loaded;
+    let aspect = f64::from(plan.size.width) / f64::from(plan.size.height);
+    let framing = camera::framing(&arguments.camera, &scene, aspect).map_err(place)?;
+    let stage = Stage::new(&mut scene, &framing, aspect, plan.crease)
+        .ok_or_else(|| Failure::data("the model has nothing to draw"))
+        .map_err(place)?;
+    let pixels = draw::draw(&stage, &scene, plan, renderer).map_err(place)?;
+    let picture = Picture { size: plan.size, pixels };
+    job.output.write(&picture.encode(plan.format, plan.quality)?)?;
+    Ok(notes)
 }
 
-/// What is wrong, as the end of a sentence that begins with "the model".
-fn predicate(error: &pineda_scene::Error) -> String {
-    use pineda_scene::Error;
-    match error {
-        Error::Read { .. } | Error::UnknownFormat | Error::Limit { .. } | Error::NothingToDraw { .. } => {
-            error.to_string()
-        }
-        _ => format!("cannot be read: {error}"),
-    }
+/// Whether a picture is there and no older than its model.
+fn is_done(job: &Job) -> bool {
+    let (Some(model), Output::File(picture)) = (&job.model, &job.output) else { return false };
+    let changed = |path: &Path| std::fs::metadata(path).and_then(|there| there.modified()).ok();
+    matches!((changed(model), changed(picture)), (Some(model), Some(picture)) if picture >= model)
+}
+
+fn lines(notes: &[String], model: Option<&Path>) -> Vec<String> {
+    let line = |note: &String| match model {
+        Some(path) => format!("note: {}: {note}", path.display()),
+        None => format!("note: {note}"),
+    };
+    notes.iter().map(line).collect()
+}
+
+fn print(text: &str) -> Result<(), Failure> {
+    let written = std::io::stdout().write_all(text.as_bytes());
+    written.map_err(|error| Failure::data(format_args!("standard output cannot be written: {error}")))
 }

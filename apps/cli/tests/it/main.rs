@@ -2,8 +2,16 @@
 
 #![allow(missing_docs, reason = "tests")]
 
+mod batch;
+mod cameras;
+mod formats;
 mod global;
+mod info;
+mod looks;
+mod models;
 mod outputs;
 mod raster;
 mod render;
+mod shell;
+mod streams;
 mod workspace;

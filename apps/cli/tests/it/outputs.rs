@@ -7,8 +7,10 @@ use std::fs;
 fn outputs_that_cannot_be_written() {
     let folder = Workspace::new("outputs");
     fs::create_dir(folder.path("folder.png")).unwrap();
-    folder.fail(&["raster", "-o", "picture.jpg"], 2, &[".png or .ppm", "picture.jpg", "help: "]);
-    folder.fail(&["raster", "-o", "picture"], 2, &[".png or .ppm"]);
+    folder.fail(&["raster", "-o", "picture.gif"], 2, &[".png, .jpg,", "picture.gif", "help: "]);
+    folder.fail(&["raster", "-o", "picture"], 2, &["or .ppm"]);
+    folder.fail(&["raster", "-o", "picture.exr"], 2, &["EXR is for"]);
+    folder.fail(&["raster", "-o", "picture.jpg", "--show", "depth"], 2, &["16 bits"]);
     folder.fail(&["raster", "-o", "folder.png"], 1, &["it is a folder", "where: folder.png"]);
     folder.fail(
         &["raster", "-o", "nowhere/picture.png"],

@@ -33,9 +33,7 @@ use crate::stage::{Prop, Stage};
 use ground::Ground;
 use material::Coating;
 use occlusion::Occlusion;
-use pineda::{
-    Blend, ColorBuffer, DepthState, DrawState, Error, Indices, Mesh, Pass, Renderer, Samples, Target,
-};
+use pineda::{Blend, ColorBuffer, DepthState, DrawState, Error, Indices, Mesh, Pass, Renderer, Samples, Target};
 use pineda_scene::{AlphaMode, Scene};
 use shader::{Light, Mapped, Masked, Plain, Surface};
 use shadow::Shadow;

@@ -1,0 +1,180 @@
+//! Pictures to the bytes of files.
+
+use super::{Picture, PictureFormat, Pixels};
+use crate::failure::Failure;
+use crate::srgb::SRGB;
+use crate::values::Size;
+use image::ExtendedColorType;
+use image::codecs::jpeg::JpegEncoder;
+use image::codecs::openexr::OpenExrEncoder;
+use image::{ImageEncoder, ImageError};
+use png::{BitDepth, ColorType, Compression, SrgbRenderingIntent};
+use std::io::Cursor;
+
+impl Picture {
+    /// The file's bytes. `quality`, 1 to 100, is for JPEGs.
+    pub(crate) fn encode(&self, format: PictureFormat, quality: u8) -> Result<Vec<u8>, Failure> {
+        match format {
+            PictureFormat::Png => self.png(),
+            PictureFormat::Jpeg => self.jpeg(quality),
+            PictureFormat::Webp => self.webp(),
+            PictureFormat::Exr => self.exr(),
+            PictureFormat::Ppm => self.ppm(),
+        }
+    }
+
+    fn png(&self) -> Result<Vec<u8>, Failure> {
+        let (color, depth, data) = match &self.pixels {
+            Pixels::Rgb8(p) => (ColorType::Rgb, BitDepth::Eight, p.as_flattened().to_vec()),
+            Pixels::Rgba8(p) => (ColorType::Rgba, BitDepth::Eight, p.as_flattened().to_vec()),
+            Pixels::Gray16(p) => (ColorType::Grayscale, BitDepth::Sixteen, big_endian(p)),
+            Pixels::Rgba16(p) => (ColorType::Rgba, BitDepth::Sixteen, big_endian(p.as_flattened())),
+            Pixels::Rgba32F(_) => return Err(cannot_hold("PNG", "floats")),
+        };
+        let mut bytes = Vec::new();
+        let mut encoder = png::Encoder::new(&mut bytes, self.size.width, self.size.height);
+        encoder.set_color(color);
+        encoder.set_depth(depth);
+        encoder.set_compression(Compression::Balanced);
+        if depth == BitDepth::Eight {
+            encoder.set_source_srgb(SrgbRenderingIntent::Perceptual);
+        }
+        let written = encoder.write_header().and_then(|mut writer| {
+            writer.write_image_data(&data)?;
+            writer.finish()
+        });
+        written.map_err(cannot_encode)?;
+        Ok(bytes)
+    }
+
+    fn jpeg(&self, quality: u8) -> Result<Vec<u8>, Failure> {
+        let Pixels::Rgb8(pixels) = &self.pixels else { return Err(cannot_hold("JPEG", "alpha or 16 bits")) };
+        let Size { width, height } = self.size;
+        let mut bytes = Vec::new();
+        let encoder = JpegEncoder::new_with_quality(&mut bytes, quality);
+        encoder.write_image(pixels.as_flattened(), width, height, ExtendedColorType::Rgb8).map_err(image_error)?;
+        Ok(bytes)
+    }
+
+    fn webp(&self) -> Result<Vec<u8>, Failure> {
+        use image_webp::{ColorType, WebPEncoder};
+        let (data, color) = match &self.pixels {
+            Pixels::Rgb8(pixels) => (pixels.as_flattened(), ColorType::Rgb8),
+            Pixels::Rgba8(pixels) => (pixels.as_flattened(), ColorType::Rgba8),
+            _ => return Err(cannot_hold("WebP", "more than 8 bits")),
+        };
+        let mut bytes = Vec::new();
+        let encoder = WebPEncoder::new(&mut bytes);
+        encoder.encode(data, self.size.width, self.size.height, color).map_err(cannot_encode)?;
+        Ok(bytes)
+    }
+
+    /// Channels R, G, B and A of 32-bit floats, multiplied by alpha, as OpenEXR has it.
+    fn exr(&self) -> Result<Vec<u8>, Failure> {
+        let Pixels::Rgba32F(pixels) = &self.pixels else { return Err(cannot_hold("EXR", "integers")) };
+        let Size { width, height } = self.size;
+        let data: Vec<u8> = pixels.as_flattened().iter().flat_map(|channel| channel.to_ne_bytes()).collect();
+        let mut bytes = Cursor::new(Vec::new());
+        let encoder = OpenExrEncoder::new(&mut bytes);
+        encoder.write_image(&data, width, height, ExtendedColorType::Rgba32F).map_err(image_error)?;
+        Ok(bytes.into_inner())
+    }
+
+    /// P6, as in tutorial 1. What is transparent is put before black; grey becomes three equal channels.
+    fn ppm(&self) -> Result<Vec<u8>, Failure> {
+        let Size { width, height } = self.size;
+        let maximum = if matches!(self.pixels, Pixels::Gray16(_)) { 65535 } else { 255 };
+        let mut bytes = format!("P6\n{width} {height}\n{maximum}\n").into_bytes();
+        match &self.pixels {
+            Pixels::Rgb8(pixels) => bytes.extend_from_slice(pixels.as_flattened()),
+            Pixels::Rgba8(pixels) => bytes.extend(pixels.iter().flat_map(|&pixel| before_black(pixel))),
+            Pixels::Gray16(pixels) => bytes.extend(pixels.iter().flat_map(|gray| [gray.to_be_bytes(); 3]).flatten()),
+            Pixels::Rgba16(_) => return Err(cannot_hold("PPM", "four channels")),
+            Pixels::Rgba32F(_) => return Err(cannot_hold("PPM", "floats")),
+        }
+        Ok(bytes)
+    }
+}
+
+/// The plan of a picture asks for what its format can hold: nobody should see this.
+fn cannot_hold(format: &str, what: &str) -> Failure {
+    Failure::usage(format_args!("{format} cannot hold {what}")).help("name the output .png")
+}
+
+fn cannot_encode(error: impl std::fmt::Display) -> Failure {
+    Failure::data(format_args!("the picture cannot be encoded: {error}"))
+}
+
+fn image_error(error: ImageError) -> Failure {
+    cannot_encode(error)
+}
+
+fn big_endian(words: &[u16]) -> Vec<u8> {
+    words.iter().flat_map(|word| word.to_be_bytes()).collect()
+}
+
+/// Straight alpha over black, in linear light.
+fn before_black([r, g, b, a]: [u8; 4]) -> [u8; 3] {
+    match a {
+        255 => [r, g, b],
+        0 => [0; 3],
+        _ => [r, g, b].map(|code| SRGB.encode(SRGB.decode(code) * (f32::from(a) / 255.0))),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn encode(pixels: Pixels, format: PictureFormat) -> Result<Vec<u8>, Failure> {
+        Picture { size: Size { width: 2, height: 1 }, pixels }.encode(format, 90)
+    }
+
+    #[test]
+    fn picture_as_ppm() {
+        let ppm = |pixels| encode(pixels, PictureFormat::Ppm).unwrap();
+        assert_eq!(ppm(Pixels::Rgb8(vec![[1, 2, 3], [4, 5, 6]])), b"P6\n2 1\n255\n\x01\x02\x03\x04\x05\x06");
+        assert_eq!(ppm(Pixels::Rgba8(vec![[9, 8, 7, 0], [255, 0, 7, 255]])), b"P6\n2 1\n255\n\0\0\0\xff\0\x07");
+        assert_eq!(ppm(Pixels::Gray16(vec![1, 65535])), b"P6\n2 1\n65535\n\0\x01\0\x01\0\x01\xff\xff\xff\xff\xff\xff");
+    }
+
+    #[test]
+    fn picture_as_png_is_read_back() {
+        let numbers = || Pixels::Rgba16(vec![[1, 2, 3, 65535], [65535, 40000, 0, 7]]);
+        let bytes = encode(numbers(), PictureFormat::Png).unwrap();
+        let mut reader = png::Decoder::new(Cursor::new(bytes)).read_info().unwrap();
+        let mut data = vec![0; reader.output_buffer_size().unwrap()];
+        reader.next_frame(&mut data).unwrap();
+        assert_eq!(data, [0, 1, 0, 2, 0, 3, 255, 255, 255, 255, 0x9c, 0x40, 0, 0, 0, 7]);
+        for other in [PictureFormat::Ppm, PictureFormat::Jpeg, PictureFormat::Webp, PictureFormat::Exr] {
+            assert!(encode(numbers(), other).is_err());
+        }
+    }
+
+    #[test]
+    fn picture_as_webp_is_read_back() {
+        let pixels = vec![[9, 8, 7, 0], [255, 0, 7, 130]];
+        let bytes = encode(Pixels::Rgba8(pixels.clone()), PictureFormat::Webp).unwrap();
+        let mut decoder = image_webp::WebPDecoder::new(Cursor::new(bytes)).unwrap();
+        let mut data = vec![0; 8];
+        decoder.read_image(&mut data).unwrap();
+        assert_eq!(data, pixels.as_flattened());
+    }
+
+    #[test]
+    fn picture_as_exr_is_read_back() {
+        let pixels = vec![[0.5, 1e-9, 7.25, 1.0], [0.0, 0.1, -2.0, 0.25]];
+        let bytes = encode(Pixels::Rgba32F(pixels.clone()), PictureFormat::Exr).unwrap();
+        let read = image::load_from_memory_with_format(&bytes, image::ImageFormat::OpenExr).unwrap();
+        assert_eq!(read.as_rgba32f().unwrap().as_raw(), pixels.as_flattened());
+    }
+
+    #[test]
+    fn picture_as_jpeg_is_alike() {
+        let bytes = encode(Pixels::Rgb8(vec![[200, 100, 50]; 2]), PictureFormat::Jpeg).unwrap();
+        let read = image::load_from_memory_with_format(&bytes, image::ImageFormat::Jpeg).unwrap().into_rgb8();
+        for (channel, wanted) in read.get_pixel(1, 0).0.into_iter().zip([200, 100, 50]) {
+            assert!(channel.abs_diff(wanted) < 4, "{read:?}");
+        }
+    }
+}
