@@ -142,7 +142,16 @@ impl Map<'_> {
     #[inline(always)]
     pub fn sample<L: Lanes>(&self, uvs: [Vec2<Dual<L>>; UV_SETS]) -> Rgba<L> {
         let [first, second] = uvs;
-        let mut uv = if self.uv_set == 0 { first } else { second };
+        let uv = if self.uv_set == 0 { first } else { second };
+        // Shaders look up many maps: compiled once, not once for each.
+        uv.value().lanes().apart(
+            #[inline(always)]
+            || self.sample_here(uv),
+        )
+    }
+
+    #[inline(always)]
+    fn sample_here<L: Lanes>(&self, mut uv: Vec2<Dual<L>>) -> Rgba<L> {
         if let Some([[a, b, c], [d, e, f]]) = self.transform {
             uv = Vec2::new(uv.x * a + uv.y * b + c, uv.x * d + uv.y * e + f);
         }

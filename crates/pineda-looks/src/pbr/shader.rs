@@ -214,9 +214,17 @@ impl Surface<'_, '_> {
         Vec3::new(direction.dot(x), direction.dot(y), direction.dot(z))
     }
 
-    /// What reaches the eye, its alpha multiplied in.
+    /// What reaches the eye, its alpha multiplied in: compiled once for all shaders that it is part of.
     #[inline(always)]
     fn color<L: Lanes>(&self, seen: &Seen<L>, place: &Place<L>) -> Rgba<L> {
+        place.pixel.lanes().apart(
+            #[inline(always)]
+            || self.reflected(seen, place),
+        )
+    }
+
+    #[inline(always)]
+    fn reflected<L: Lanes>(&self, seen: &Seen<L>, place: &Place<L>) -> Rgba<L> {
         let (light, coating) = (self.light, self.coating);
         let base = self.base_color(seen, place);
         let lanes = base.a.lanes();
