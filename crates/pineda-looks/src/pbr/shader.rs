@@ -242,7 +242,7 @@ impl Surface<'_, '_> {
         let n_dot_v = normal.dot(to_eye).clamp(1e-3, 1.0);
 
         // What the material is here.
-        let (mut f0, mut albedo, roughness, strength);
+        let (mut f0, albedo, roughness, strength);
         match &coating.workflow {
             Workflow::Metallic { metallic, roughness: factor, map } => {
                 let map = numbers(map, place);

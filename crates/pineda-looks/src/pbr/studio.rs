@@ -35,16 +35,16 @@ pub(super) const KEY: [f32; 3] = [-0.528_2, 0.699_0, 0.481_9];
 pub(super) const BOXES: [SoftBox; 5] = [
     // The key light comes first: it shines by itself, too, with a shadow.
     SoftBox { toward: KEY, half_size: [0.42, 0.55], softness: 0.25, color: [11.0, 10.6, 10.0] },
-    SoftBox { toward: [0.0, 1.0, 0.0], half_size: [0.9, 0.7], softness: 0.5, color: [2.6, 2.65, 2.75] },
+    SoftBox { toward: [0.0, 1.0, 0.0], half_size: [0.9, 0.7], softness: 0.5, color: [1.0, 1.02, 1.06] },
     SoftBox { toward: [0.894_4, 0.178_9, 0.409_9], half_size: [0.28, 0.75], softness: 0.3, color: [2.2, 2.35, 2.6] },
     SoftBox { toward: [0.686_4, 0.343_2, -0.641_1], half_size: [0.16, 0.7], softness: 0.3, color: [7.0, 7.2, 7.6] },
     SoftBox { toward: [-0.842_2, 0.187_2, -0.505_4], half_size: [0.14, 0.6], softness: 0.3, color: [4.0, 4.1, 4.3] },
 ];
 
 /// The room: its walls at the height of the eye, its ceiling, and its floor.
-const WALLS: [f32; 3] = [0.30, 0.305, 0.32];
-const CEILING: [f32; 3] = [0.50, 0.52, 0.55];
-const FLOOR: [f32; 3] = [0.42, 0.41, 0.40];
+const WALLS: [f32; 3] = [0.25, 0.255, 0.27];
+const CEILING: [f32; 3] = [0.36, 0.375, 0.40];
+const FLOOR: [f32; 3] = [0.36, 0.35, 0.34];
 
 /// Radiance by direction, from the soft box numbered `first` on.
 #[derive(Debug)]
@@ -82,4 +82,4 @@ fn shine<L: Lanes>(soft_box: SoftBox, direction: Vec3<L>) -> Vec3<L> {
 }
 
 /// What the key light gives beside what can be seen of it, where it falls straight on: linear light.
-pub(super) const KEY_LIGHT: [f32; 3] = [0.52, 0.50, 0.47];
+pub(super) const KEY_LIGHT: [f32; 3] = [0.66, 0.64, 0.60];
