@@ -41,7 +41,7 @@
 //! | --- | --- |
 //! | glTF 2.0, .gltf and .glb | the core whole: accessors of every kind, all primitive modes, node hierarchies, scenes, cameras, skins of 4 and 8 influences, morph targets, animations, samplers, PNG, JPEG and WebP images. KHR_draco_mesh_compression, KHR_lights_punctual, KHR_materials_anisotropy, clearcoat, emissive_strength, ior, iridescence, pbrSpecularGlossiness, sheen, specular, transmission, unlit, variants and volume, KHR_mesh_quantization, KHR_meshopt_compression and its older EXT_ form, KHR_texture_transform, EXT_mesh_gpu_instancing, EXT_texture_webp. Others: an error if the file requires them, a line if it uses them |
 //! | OBJ | polygons of any size, groups, texture coordinates, normals, vertex colours, lines, points; MTL with its images |
-//! | PLY | ASCII and binary of both byte orders, polygons, strips, clouds of points, normals, colours, texture coordinates of vertices |
+//! | PLY | ASCII and binary of both byte orders, polygons, strips, clouds of points, normals, colours, texture coordinates of vertices and of faces' corners |
 //! | STL | ASCII and binary, several solids, colours of VisCAM and Magics |
 //!
 //! 3MF is not read: the crates that read it (`lib3mf`, `lib3mf-core`, `threemf2`) inflate a file's parts into memory

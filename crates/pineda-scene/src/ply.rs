@@ -10,11 +10,13 @@ mod header;
 mod source;
 mod vertices;
 
+use std::collections::HashMap;
+
 use crate::image::{Encoded, ImageStore, read_file};
 use crate::limits::Budget;
 use crate::polygon::{self, Polygons};
 use crate::resolver::path_inside;
-use crate::{Error, Format, Loaded, Material, Normals, Object, Resolver, Sampler, Scene, Texture, TextureRef};
+use crate::{Error, Format, Loaded, Material, Normals, Object, Resolver, Sampler, Scene, Texture, TextureRef, Vertex};
 use header::{Element, Encoding, Header};
 use source::{Ascii, Binary, Source};
 use vertices::Vertices;
@@ -35,6 +37,8 @@ pub(crate) fn read(bytes: &[u8], files: &dyn Resolver, budget: &mut Budget) -> R
 struct Body {
     vertices: Vertices,
     faces: Polygons<u32>,
+    /// For each of the faces' corners its texture coordinates, as MeshLab writes them; or empty. v goes down.
+    wedges: Vec<[f32; 2]>,
 }
 
 impl Body {
@@ -66,18 +70,29 @@ impl Body {
             // At least one byte each is there, as has been checked.
             self.faces.reserve(element.count as usize);
         }
+        let wedges = element.properties.iter().position(|p| p.name == "texcoord" && p.count.is_some() && !is_strips);
         let mut list: Vec<i64> = Vec::new();
+        let mut uvs: Vec<f32> = Vec::new();
         for row in 0..element.count {
             for (number, property) in element.properties.iter().enumerate() {
                 let count = source.list_count(property)?;
-                if Some(number) != indices {
+                if Some(number) == indices {
+                    list.clear();
+                    for _ in 0..count {
+                        list.push(source.integer(property.kind)?);
+                    }
+                } else if Some(number) == wedges {
+                    uvs.clear();
+                    for _ in 0..count {
+                        uvs.push(source.number(property.kind)? as f32);
+                    }
+                } else {
                     source.skip(property.kind, count)?;
-                    continue;
                 }
-                list.clear();
-                for _ in 0..count {
-                    list.push(source.integer(property.kind)?);
-                }
+            }
+            if wedges.is_some() && list.len() >= 3 {
+                let pairs = uvs.as_chunks().0.iter().map(|&[u, v]| [u, 1.0 - v]);
+                self.wedges.extend(pairs.chain(std::iter::repeat([0.0; 2])).take(list.len()));
             }
             if is_strips {
                 list.split(|&i| i == -1).try_for_each(|strip| self.push_strip(strip))
@@ -110,12 +125,15 @@ impl Body {
     }
 
     fn build(self, header: Header, files: &dyn Resolver, budget: &mut Budget) -> Result<Loaded, Error> {
-        let Self { vertices: Vertices { vertices, has_normals, uvs }, faces } = self;
+        let Self { vertices: Vertices { mut vertices, has_normals, mut uvs }, mut faces, wedges } = self;
         let mut notes = Vec::new();
         if let Some(at) = faces.corners().iter().position(|&i| i as usize >= vertices.len()) {
             let (face, index, count) = (faces.polygon_of_corner(at), faces.corners()[at], vertices.len());
             let message = format!("face {face} (from 0) names vertex {index}, but the file has {count} vertices");
             return Err(Error::text(Format::Ply, header.line_of("face"), message));
+        }
+        if uvs.is_empty() && !wedges.is_empty() && wedges.len() == faces.corners().len() {
+            (vertices, uvs) = split(&vertices, faces.corners_mut(), &wedges, budget)?;
         }
         let (triangles, gave_up) = faces.triangulate(|i| vertices[i as usize].position, budget)?;
         polygon::notes(faces.too_small, gave_up, &mut notes);
@@ -127,11 +145,7 @@ impl Body {
             notes.push("colours of faces ignored: only vertices' are drawn".to_owned());
         }
         let mut scene = Scene { materials: vec![Material::default()], ..Scene::default() };
-        if uvs.is_empty() {
-            if header.faces_have("texcoord") {
-                notes.push("texture coordinates of faces ignored: only vertices' are read".to_owned());
-            }
-        } else if let Some(name) = header.textures.first() {
+        if let Some(name) = header.textures.first().filter(|_| !uvs.is_empty()) {
             texture(name, &mut scene, files, budget).unwrap_or_else(|line| notes.push(line));
         }
         let uvs = if uvs.is_empty() { Vec::new() } else { vec![uvs] };
@@ -140,6 +154,29 @@ impl Body {
         scene.objects.push(Object { vertices, uvs, triangles, points, normals, ..Object::default() });
         Ok(Loaded { scene, notes })
     }
+}
+
+/// Makes a vertex of each pair of vertex and texture coordinates that a corner has, in the order of the corners.
+#[expect(clippy::type_complexity, reason = "vertices and their texture coordinates")]
+fn split(
+    vertices: &[Vertex],
+    corners: &mut [u32],
+    wedges: &[[f32; 2]],
+    budget: &mut Budget,
+) -> Result<(Vec<Vertex>, Vec<[f32; 2]>), Error> {
+    let mut numbers = HashMap::new();
+    let (mut split, mut uvs) = (Vec::with_capacity(vertices.len()), Vec::with_capacity(vertices.len()));
+    for (corner, &uv) in corners.iter_mut().zip(wedges) {
+        let next = split.len() as u32;
+        let number = *numbers.entry((*corner, uv.map(f32::to_bits))).or_insert(next);
+        if number == next {
+            budget.vertices(1)?;
+            split.push(vertices[*corner as usize]);
+            uvs.push(uv);
+        }
+        *corner = number;
+    }
+    Ok((split, uvs))
 }
 
 /// Gives the only material an image; the error is a line.

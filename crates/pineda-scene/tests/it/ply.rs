@@ -172,8 +172,6 @@ fn ply_faces_may_come_before_vertices() {
 
 #[test]
 fn ply_notes() {
-    let text = square("4 0 1 2 3 2 0 0").replace("end_header", "property list uchar float texcoord\nend_header");
-    assert_eq!(read(text).notes, ["texture coordinates of faces ignored: only vertices' are read"]);
     let text = square("4 0 1 2 3 9").replace("end_header", "property uchar red\nend_header");
     assert_eq!(read(text).notes, ["colours of faces ignored: only vertices' are drawn"]);
     let text = square("4 0 1 2 3\n2 0 1").replace("face 1", "face 2");
@@ -215,6 +213,26 @@ fn ply_texture_coordinates_and_their_image() {
         assert_eq!(loaded.scene.materials[0].base_color_texture, None);
         assert_eq!(read(text.replace("a b.png", "../a.png")).notes.len(), 1);
     }
+}
+
+/// MeshLab's: for each corner of a face. Corners that differ in them are different vertices.
+#[test]
+fn ply_texture_coordinates_of_faces() {
+    let text = ascii(
+        4,
+        XYZ,
+        3,
+        &format!("{FACE}property list uchar float texcoord\n"),
+        "0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2 6 0 0 1 0 1 1\n2 0 1 0\n3 0 2 3 6 0 0 1 1 0.5 0.75\n3 0 1 3 2 0.5 0.5\n",
+    )
+    .replace("face 3", "face 4");
+    let loaded = read(text);
+    let object = only(&loaded);
+    assert_eq!(object.triangles, [[0, 1, 2], [0, 2, 3], [4, 5, 6]]);
+    let uvs = [[0.0, 1.0], [1.0, 1.0], [1.0, 0.0], [0.5, 0.25], [0.5, 0.5], [0.0, 0.0], [0.0, 0.0]];
+    assert_eq!(object.uvs, [uvs]);
+    assert_eq!(positions(object)[4..], [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]);
+    assert_eq!(loaded.notes, ["1 face with fewer than three corners skipped"]);
 }
 
 #[test]
