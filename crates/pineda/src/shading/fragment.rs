@@ -2,7 +2,7 @@
 
 use super::{Shader, Varyings};
 use crate::lanes::{Dual, Lanes};
-use crate::math::{Bool, Real, Splat, Uint, Vec2};
+use crate::math::{Bool, Real, Splat, ToLanes, Uint, Vec2};
 use core::marker::PhantomData;
 use core::ops::Deref;
 
@@ -40,6 +40,8 @@ pub(crate) struct FragParts<L: Lanes, V> {
     pub(crate) point_coord: Vec2<L>,
     /// Triangle, instance and draw; anything if the stage does not ask for them.
     pub(crate) ids: [Uint<L>; 3],
+    /// The depth that the stage writes; anything if it writes none.
+    pub(crate) depth: Real<L>,
     /// Whether the triangle shows its front.
     pub(crate) front_facing: Bool<L>,
     /// The lanes that cover something, less those that the stage discards.
@@ -59,6 +61,8 @@ pub trait FragmentKind {
     const POINT_COORD: bool;
     /// See [`Shader::IDS`].
     const IDS: bool;
+    /// See [`Shader::WRITES_DEPTH`].
+    const WRITES_DEPTH: bool;
 }
 
 impl<Sh: Shader> FragmentKind for Sh {
@@ -66,6 +70,7 @@ impl<Sh: Shader> FragmentKind for Sh {
     const DERIVATIVES: bool = Sh::DERIVATIVES;
     const POINT_COORD: bool = Sh::POINT_COORD;
     const IDS: bool = Sh::IDS;
+    const WRITES_DEPTH: bool = Sh::WRITES_DEPTH;
 }
 
 impl<L: Lanes, V: Copy, K> Frag<L, V, K> {
@@ -302,6 +307,84 @@ impl<L: Lanes, V: Copy, K: FragmentKind> Frag<L, V, K> {
         self.parts.ids
     }
 
+    /// Replaces the fragments' depth: what is tested, and stored, in place of the triangle's. Until it is called, that is [`f.z()`](Self::z).
+    ///
+    /// It is clamped to the viewport's range of depths and rounded to the depth buffer's format, as the triangle's would be; NaN is the range's least. No
+    /// [depth bias](crate::DepthBias) is added. If the fragment stands for several samples of a pixel, all that it covers get this depth. The triangle itself is clipped by the near
+    /// and the far plane as ever. This is Vulkan's `FragDepth` and WebGPU's `frag_depth`.
+    ///
+    /// The shader must say that it writes depth; it is an error when it is compiled otherwise. A ball on a square, which cuts another one where balls do:
+    ///
+    /// ```
+    /// use pineda::*;
+    ///
+    /// struct Balls;
+    ///
+    /// #[shader]
+    /// impl Shader for Balls {
+    ///     /// The middle, and the radius.
+    ///     type Vertex = Instanced<[f32; 2], ([f32; 3], f32)>;
+    ///     /// The place on the square, from -1 to 1; the middle's depth, and the radius.
+    ///     type Varyings<L: Lanes> = Vec4<L>;
+    ///     const DISCARDS: bool = true;
+    ///     const WRITES_DEPTH: bool = true;
+    ///     fn vertex(&self, v: &Self::Vertex) -> (Vec4, Vec4) {
+    ///         let ([u, v], ([x, y, z], radius)) = (v.vertex, v.instance);
+    ///         (Vec4::from([x + u * radius, y + v * radius, z, 1.0]), Vec4::from([u, v, z, radius]))
+    ///     }
+    ///     fn fragment<L: Lanes>(&self, f: &mut Fragment<L, Self>) -> Rgba<L> {
+    ///         let height2 = 1.0 - f.x * f.x - f.y * f.y;
+    ///         f.discard(height2.lt(0.0));
+    ///         let height = height2.max(0.0).sqrt();
+    ///         // 64 units deep, as the picture is wide.
+    ///         f.set_depth(f.z - height * f.w / 64.0);
+    ///         Rgba::gray(height)
+    ///     }
+    /// }
+    ///
+    /// let square = [[-1.0, -1.0], [1.0, -1.0], [-1.0, 1.0], [1.0, 1.0]];
+    /// let balls = [([24.0, 32.0, 0.5], 16.0), ([40.0, 32.0, 0.5], 16.0)];
+    /// let mesh = Mesh { vertices: &square, indices: Indices::Sequential };
+    /// let state = DrawState { topology: PrimitiveTopology::TriangleStrip, space: Space::Raster, ..DrawState::default() };
+    /// let mut pass = Pass::new();
+    /// pass.draw_instanced(&Balls, mesh, &balls, state);
+    /// let mut shown = vec![0; 64 * 64];
+    /// let mut target = Target { instance_ids: Some(&mut shown), ..Target::new(64, 64) };
+    /// Renderer::new(Settings::default())?.render(&pass, &mut target)?;
+    /// // The first ball to the left of the plane between them, the second to its right; in the corners of the squares nothing.
+    /// assert_eq!([10, 31, 32, 50].map(|x| shown[32 * 64 + x]), [0, 0, 1, 1]);
+    /// assert_eq!(shown[17 * 64 + 9], NO_ID);
+    /// # Ok::<(), Error>(())
+    /// ```
+    ///
+    /// ```compile_fail
+    /// # use pineda::*;
+    /// # struct Flat;
+    /// #[shader]
+    /// impl Shader for Flat {
+    ///     type Vertex = ();
+    ///     type Varyings<L: Lanes> = ();
+    ///     // const WRITES_DEPTH: bool = true; is missing.
+    ///     fn vertex(&self, _: &()) -> (Vec4, ()) { Default::default() }
+    ///     fn fragment<L: Lanes>(&self, f: &mut Fragment<L, Self>) -> Rgba<L> {
+    ///         f.set_depth(0.5);
+    ///         Rgba::gray(f.z())
+    ///     }
+    /// }
+    /// # let stage: fn(&Flat, &mut Fragment<Scalar, Flat>) -> Rgba = Flat::fragment::<Scalar>;
+    /// ```
+    #[inline(always)]
+    pub fn set_depth(&mut self, depth: impl ToLanes<L, Real<L>>) {
+        const {
+            assert!(
+                K::WRITES_DEPTH,
+                "this fragment stage calls f.set_depth(..): add `const WRITES_DEPTH: bool = true;` to its `impl Shader` \
+                 (a closure cannot write depth: implement `Shader` instead)"
+            );
+        }
+        self.parts.depth = depth.to_lanes(self.lanes());
+    }
+
     /// Drops the fragments in the lanes of `when`: they write neither colour nor depth. The stage goes on for the
     /// other lanes; what it returns for the dropped ones is ignored.
     ///
@@ -382,6 +465,7 @@ mod tests {
             y: constant(6.5),
             point_coord: Vec2::new(constant(0.5), constant(0.5)),
             ids: [Uint::new(lanes, 0); 3],
+            depth: constant(0.25),
             z: constant(0.25),
             front_facing: lane.lt(4.0),
             alive: Bool(lanes.mask(0x7fff)),

@@ -96,6 +96,7 @@
 //! [`f.x()`](Frag::x), [`f.y()`](Frag::y), [`f.z()`](Frag::z): where it is; [`f.front_facing()`](Frag::front_facing).
 //! [`f.dx()`](Frag::dx) and [`f.dy()`](Frag::dy), the varyings' derivatives per pixel, want
 //! `const DERIVATIVES: bool = true;` in the impl; [`f.discard(mask)`](Frag::discard) wants `const DISCARDS: bool = true;`;
+//! [`f.set_depth(z)`](Frag::set_depth) `const WRITES_DEPTH: bool = true;`;
 //! [`f.point_coord()`](Frag::point_coord), the place in a point's square, `const POINT_COORD: bool = true;`;
 //! [`f.triangle_id()`](Frag::triangle_id), `f.instance_id()` and `f.draw_id()` `const IDS: bool = true;`.
 //! They cost time where they are switched on, so none is unless asked for, and using one without its constant is an
@@ -249,7 +250,7 @@ pub(crate) use outputs::OutputLayout;
 pub use outputs::Row4 as __Row4;
 pub use outputs::{DualSource, Output, OutputKind, Outputs};
 pub use shader::Shader;
-pub(crate) use stage::{Closure, FragmentStage, native};
+pub(crate) use stage::{Closure, FragmentStage, StageUses, native};
 pub use stage::{ClosureFragment, ClosureKind, Native};
 #[doc(hidden)]
 pub use varyings::Layout as __Layout;

@@ -7,8 +7,10 @@ use super::{__Row4 as Row4, Frag, FragParts, FragmentStage, Interpolation, Outpu
 use crate::geometry::raster_space::{HALF_PIXEL, SUBPIXELS};
 use crate::lanes::Packet;
 use crate::math::{Bool, Real, Uint, Vec2};
+use crate::pass::plan::DepthRule;
 use crate::raster::samples::Samples;
 use crate::raster::triangle_id::{CLIPPED_CLOCKWISE, ORDER_BITS, TriangleId};
+use crate::tile::sink::AnyTest;
 use crate::tile::view::BlockLanes;
 use crate::wide::{Simd, f32x16, i32x16, mask32x16, u32x16};
 use core::marker::PhantomData;
@@ -201,15 +203,30 @@ impl PacketBatch {
 
     /// Takes the interpolated depths for the fragments', clamped.
     #[inline(always)]
-    pub(crate) fn take_depths<S: Simd>(&mut self, s: S, low: f32, high: f32) {
-        let (low, high) = (f32x16::splat(s, low), f32x16::splat(s, high));
+    pub(crate) fn take_depths<S: Simd>(&mut self, s: S, rule: &DepthRule) {
         let mut k = 0;
         while k < self.count {
             let z = f32x16::simd_from(s, self.z[k & (BATCH - 1)]);
-            let z = z.simd_gt(low).select(z, low);
-            self.packets[k].depth = z.simd_lt(high).select(z, high).bitcast::<i32x16<S>>().into();
+            self.packets[k].depth = rule.clamped(s, z).bitcast::<i32x16<S>>().into();
             k += 1;
         }
+    }
+
+    /// Makes of the depths that the fragment stage left what is tested and stored.
+    #[inline(never)]
+    pub(crate) fn finish_written_depths<S: Simd>(&mut self, s: S, test: &AnyTest) {
+        s.vectorize(
+            #[inline(always)]
+            || {
+                let mut k = 0;
+                while k < self.count {
+                    let z = i32x16::simd_from(s, self.packets[k & (BATCH - 1)].depth).bitcast::<f32x16<S>>();
+                    let z = test.format.rounded_lanes(s, test.rule.clamped(s, z));
+                    self.packets[k & (BATCH - 1)].depth = z.bitcast::<i32x16<S>>().into();
+                    k += 1;
+                }
+            },
+        );
     }
 
     /// Says of which draw the packets are, and by a function of its id, of which instance and triangle each lane is.
@@ -305,6 +322,7 @@ impl PacketBatch {
                 z: zero,
                 point_coord: Vec2::new(zero, zero),
                 ids: [Uint(i32x16::splat(s, 0)); 3],
+                depth: zero,
                 front_facing: none,
                 alive: none,
             },
@@ -342,12 +360,18 @@ impl PacketBatch {
                 parts.y = Real(parts.y.0 + y * (1.0 / SUBPIXELS as f32));
             }
             parts.z = Real(i32x16::simd_from(s, packet.depth).bitcast());
+            if St::WRITES_DEPTH {
+                parts.depth = parts.z;
+            }
             parts.front_facing = Bool(if self.front_is_clockwise { clockwise } else { !clockwise });
             parts.alive = Bool(mask32x16::from_bitmask(s, u64::from(packet.alive)));
             let more = if more_each > 0 { &mut self.more[k * more_each..(k + 1) * more_each] } else { &mut [] };
             stage.run(&mut fragment).write(&mut packet.color, more);
             if St::DISCARDS {
                 packet.alive = fragment.alive().0.to_bitmask() as u32;
+            }
+            if St::WRITES_DEPTH {
+                packet.depth = fragment.parts.depth.0.bitcast::<i32x16<S>>().into();
             }
             k += 1;
         }

@@ -31,6 +31,10 @@ pub trait Shader: Sized + Sync {
     /// visible pixel, however many layers lie below; one that may discard is run for each layer in turn.
     const DISCARDS: bool = false;
 
+    /// Whether the fragment stage calls [`f.set_depth(..)`](super::Frag::set_depth). Depth is then tested after shading instead of before: such a shader is run
+    /// for each layer in turn, as one that discards, and for what is hidden, too.
+    const WRITES_DEPTH: bool = false;
+
     /// How many [clip distances](Self::clip_distances) the vertex stage gives, at most [`MAX_CLIP_DISTANCES`](super::MAX_CLIP_DISTANCES).
     const CLIP_DISTANCES: usize = 0;
 

@@ -21,6 +21,8 @@ pub(crate) trait FragmentStage<L: Lanes> {
     const POINT_COORD: bool = <Self::Kind as FragmentKind>::POINT_COORD;
     /// Whether ids must be filled in.
     const IDS: bool = <Self::Kind as FragmentKind>::IDS;
+    /// Whether it leaves a depth.
+    const WRITES_DEPTH: bool = <Self::Kind as FragmentKind>::WRITES_DEPTH;
     /// The colours of the fragments in `f`.
     fn run(&self, f: &mut Frag<L, Self::V, Self::Kind>) -> Self::Out;
 }
@@ -44,6 +46,27 @@ impl FragmentKind for ClosureKind {
     const DERIVATIVES: bool = false;
     const POINT_COORD: bool = false;
     const IDS: bool = false;
+    const WRITES_DEPTH: bool = false;
+}
+
+/// What a fragment stage asks for and does beyond varyings and colours, for those who do not know its type.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct StageUses {
+    pub(crate) discards: bool,
+    pub(crate) ids: bool,
+    pub(crate) writes_depth: bool,
+}
+
+impl StageUses {
+    pub(crate) const fn of<K: FragmentKind>() -> Self {
+        Self { discards: K::DISCARDS, ids: K::IDS, writes_depth: K::WRITES_DEPTH }
+    }
+
+    /// Whether it has a say in which samples pass, so that tests have to wait for it.
+    #[inline(always)]
+    pub(crate) fn decides(&self) -> bool {
+        self.discards | self.writes_depth
+    }
 }
 
 /// What a fragment closure with the varyings `V` receives: sixteen fragments at the width [`Native`].

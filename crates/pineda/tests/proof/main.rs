@@ -19,3 +19,4 @@ mod strokes;
 mod traps;
 mod viewports;
 mod visibility;
+mod written_depth;
