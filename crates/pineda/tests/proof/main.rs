@@ -17,6 +17,7 @@ mod primitives;
 mod scene;
 mod strokes;
 mod traps;
+mod vertex_ids;
 mod viewports;
 mod visibility;
 mod written_depth;
