@@ -97,6 +97,8 @@
 //! [`f.dx()`](Frag::dx) and [`f.dy()`](Frag::dy), the varyings' derivatives per pixel, want
 //! `const DERIVATIVES: bool = true;` in the impl; [`f.discard(mask)`](Frag::discard) wants `const DISCARDS: bool = true;`;
 //! [`f.set_depth(z)`](Frag::set_depth) `const WRITES_DEPTH: bool = true;`;
+//! [`f.sample_index()`](Frag::sample_index), [`f.sample_mask()`](Frag::sample_mask) and [`f.set_sample_mask(mask)`](Frag::set_sample_mask) want `SAMPLE_INDEX`, `SAMPLE_MASK` and
+//! `WRITES_SAMPLE_MASK`;
 //! [`f.point_coord()`](Frag::point_coord), the place in a point's square, `const POINT_COORD: bool = true;`;
 //! [`f.triangle_id()`](Frag::triangle_id), `f.instance_id()` and `f.draw_id()` `const IDS: bool = true;`.
 //! They cost time where they are switched on, so none is unless asked for, and using one without its constant is an
@@ -235,6 +237,7 @@ mod large;
 pub(crate) mod multisample;
 mod over;
 pub(crate) mod packet;
+mod parts;
 pub(crate) mod run;
 pub(crate) mod sample_packets;
 pub(crate) mod shade;

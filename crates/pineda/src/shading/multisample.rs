@@ -330,7 +330,7 @@ fn merge<S: Simd>(s: S, shading: &mut Shading<'_>, groups: &[&mut [OrderedPacket
     let first = state.color(0);
     let how = How::of(&first);
     let further = shading.further();
-    let writes_depth = shading.call.uses().writes_depth;
+    let uses = shading.call.uses();
     let has_alpha = shading.call.outputs().kinds.first() == Some(&OutputKind::Float);
     let mut i = 0;
     while i < shading.batch.len() {
@@ -347,10 +347,13 @@ fn merge<S: Simd>(s: S, shading: &mut Shading<'_>, groups: &[&mut [OrderedPacket
         let mut count = 0;
         for ordered in &*groups[i] {
             let block = ordered.block as usize;
-            let depth = if writes_depth { &packet.depth } else { &ordered.depth };
+            let depth = if uses.writes_depth { &packet.depth } else { &ordered.depth };
             let mut alive = mask32x16::from_bitmask(s, u64::from(packet.alive & ordered.mask));
             if state.alpha_to_coverage && has_alpha {
                 alive = alive & covers_by_alpha(s, &packet.color[3], shading.view.sample_of(block), samples);
+            }
+            if uses.writes_sample_mask {
+                alive = alive & shading.batch.lets_cover(s, i, shading.view.sample_of(block));
             }
             if is_late {
                 let tested = tests.of(s, shading.tile, id, block, alive, depth);

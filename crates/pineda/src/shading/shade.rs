@@ -13,7 +13,8 @@ use super::stencil::Tests;
 use super::visible_packets::VisiblePacket;
 use super::{__Row4 as Row4, OutputKind};
 use crate::pass::draw_call::DrawCall;
-use crate::pass::{Blend, ColorMask, ColorState, DrawStatistics};
+use crate::pass::{Blend, ColorMask, ColorState, DrawStatistics, Sampling};
+use crate::raster::samples::SampleSet;
 use crate::raster::triangle_id::TriangleId;
 use crate::target::format::{Channels, ColorFormat, TileColor};
 use crate::tile::Tile;
@@ -80,9 +81,23 @@ impl Shading<'_> {
             let run = self.run;
             self.batch.number(run.run.draw, |id| run.run.instance_and_triangle(id.number() - run.first_number));
         }
+        if uses.sample_index | uses.sample_mask {
+            self.tell_samples();
+        }
         self.call.run_fragments(self.level, self.batch);
         if uses.writes_depth {
             self.batch.finish_written_depths(s, &self.depth);
+        }
+    }
+
+    /// Says which samples the batch's fragments are of, and cover.
+    #[inline(never)]
+    fn tell_samples(&mut self) {
+        let (view, state) = (self.view, self.call.state());
+        if view.samples.is_one() || state.sampling == Sampling::Sample {
+            self.batch.set_samples(|block| view.sample_of(block));
+        } else {
+            self.batch.find_covered_samples(self.call, self.run, SampleSet::new(view.samples, state.sample_mask));
         }
     }
 
@@ -243,6 +258,9 @@ fn merge<S: Simd>(s: S, shading: &mut Shading<'_>, is_over: bool) {
         let packet = &shading.batch.packets()[i];
         let block = packet.block as usize;
         let mut alive = mask32x16::from_bitmask(s, u64::from(packet.alive));
+        if uses.writes_sample_mask {
+            alive = alive & shading.batch.lets_cover(s, i, 0);
+        }
         if is_late {
             let id = TriangleId(packet.ids[0]);
             let tested = tests.of(s, shading.tile, id, block, alive, &packet.depth);

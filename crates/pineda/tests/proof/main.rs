@@ -14,6 +14,7 @@ mod multisample;
 mod occlusion;
 mod passes;
 mod primitives;
+mod sample_masks;
 mod scene;
 mod strokes;
 mod traps;
