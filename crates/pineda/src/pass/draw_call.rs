@@ -125,7 +125,8 @@ impl<Sh: Shader, G: Input<In = Sh::Vertex>> DrawCall for ShaderDraw<'_, Sh, G> {
     fn layout(&self) -> VaryingLayout {
         let interpolation = <Sh as WithPointCoord>::INTERPOLATION;
         let layout = VaryingLayout::new(interpolation, <Sh as FragmentKind>::DERIVATIVES);
-        VaryingLayout { point_coord: Sh::POINT_COORD, ..layout }
+        let is_plain = layout.is_plain && !Sh::BARYCENTRICS;
+        VaryingLayout { point_coord: Sh::POINT_COORD, barycentrics: Sh::BARYCENTRICS, is_plain, ..layout }
     }
 
     fn uses(&self) -> StageUses {

@@ -2,7 +2,7 @@
 
 use super::{Shader, Varyings};
 use crate::lanes::{Dual, Lanes};
-use crate::math::{Bool, Real, Splat, ToLanes, Uint, Vec2};
+use crate::math::{Bool, Real, Splat, ToLanes, Uint, Vec2, Vec3};
 use core::marker::PhantomData;
 use core::ops::Deref;
 
@@ -40,6 +40,8 @@ pub(crate) struct FragParts<L: Lanes, V> {
     pub(crate) point_coord: Vec2<L>,
     /// Triangle, instance and draw; anything if the stage does not ask for them.
     pub(crate) ids: [Uint<L>; 3],
+    /// With perspective, and without; anything if the stage does not ask for them.
+    pub(crate) barycentrics: [Vec3<L>; 2],
     /// The depth that the stage writes; anything if it writes none.
     pub(crate) depth: Real<L>,
     /// The sample that is shaded, the samples that the fragment covers, and those that the stage lets it cover; anything if it does not ask for them, or leaves them.
@@ -65,6 +67,8 @@ pub trait FragmentKind {
     const POINT_COORD: bool;
     /// See [`Shader::IDS`].
     const IDS: bool;
+    /// See [`Shader::BARYCENTRICS`].
+    const BARYCENTRICS: bool;
     /// See [`Shader::WRITES_DEPTH`].
     const WRITES_DEPTH: bool;
     /// See [`Shader::SAMPLE_INDEX`].
@@ -80,6 +84,7 @@ impl<Sh: Shader> FragmentKind for Sh {
     const DERIVATIVES: bool = Sh::DERIVATIVES;
     const POINT_COORD: bool = Sh::POINT_COORD;
     const IDS: bool = Sh::IDS;
+    const BARYCENTRICS: bool = Sh::BARYCENTRICS;
     const WRITES_DEPTH: bool = Sh::WRITES_DEPTH;
     const SAMPLE_INDEX: bool = Sh::SAMPLE_INDEX;
     const SAMPLE_MASK: bool = Sh::SAMPLE_MASK;
@@ -318,6 +323,75 @@ impl<L: Lanes, V: Copy, K: FragmentKind> Frag<L, V, K> {
             );
         }
         self.parts.ids
+    }
+
+    /// Where in its triangle the fragment is shaded: how much each of the three vertices counts, with perspective. `barycentrics().x` is the triangle's first vertex's, and so on, in the
+    /// order in which it was submitted; of strips and fans the order of [`PrimitiveTopology`](crate::PrimitiveTopology)'s table.
+    ///
+    /// They are what [`Target::barycentrics`](crate::Target::barycentrics) holds, bit for bit, where that is of the same place. In lines the first two count for their start and their end, in points the
+    /// first; on the edges and corners of a triangle they are the triangle's. They add up to 1, give or take 2^-22, and lie in 0 to 1 wherever the fragment lies in its triangle (the edges of one that is clipped are snapped anew, and may leave it by half a subpixel); with the values f of a varying at the
+    /// vertices, `b.x * f[0] + b.y * f[1] + b.z * f[2]` is the varying, up to roundings. To submit the vertices in another order changes the order of the three
+    /// numbers, and no bit of them. This is Vulkan's `BaryCoordKHR`.
+    ///
+    /// Derivatives they have none: give the vertices a varying for that. The shader must say that it asks; it is an error when it is compiled otherwise. A triangle's edges as lines, whatever
+    /// its vertices hold:
+    ///
+    /// ```
+    /// use pineda::*;
+    ///
+    /// struct Edges;
+    ///
+    /// #[shader]
+    /// impl Shader for Edges {
+    ///     type Vertex = [f32; 4];
+    ///     type Varyings<L: Lanes> = ();
+    ///     const BARYCENTRICS: bool = true;
+    ///     fn vertex(&self, &position: &[f32; 4]) -> (Vec4, ()) {
+    ///         (position.into(), ())
+    ///     }
+    ///     fn fragment<L: Lanes>(&self, f: &mut Fragment<L, Self>) -> Rgba<L> {
+    ///         let b = f.barycentrics_noperspective();
+    ///         let is_edge = b.x.min(b.y).min(b.z).lt(0.05);
+    ///         Rgba::opaque(is_edge.select(f.splat([1.0; 3]), f.barycentrics()))
+    ///     }
+    /// }
+    ///
+    /// // Its second vertex is four times as far away.
+    /// let corners = [[0.0, 0.0, 0.5, 1.0], [64.0, 0.0, 0.5, 4.0], [0.0, 64.0, 0.5, 1.0]];
+    /// let state = DrawState { space: Space::Raster, ..DrawState::default() };
+    /// let mut pass = Pass::new();
+    /// pass.draw(&Edges, Mesh { vertices: &corners, indices: Indices::Sequential }, state);
+    /// let mut pixels = vec![[0.0; 4]; 64 * 64];
+    /// let mut target = Target { color: ColorBuffer::Rgba32F(&mut pixels), ..Target::new(64, 64) };
+    /// Renderer::new(Settings::default())?.render(&pass, &mut target)?;
+    /// let [x, y, z, _] = pixels[20 * 64 + 20];
+    /// // On the picture it counts for 20.5 / 64, as the third does; in space for a quarter of that.
+    /// assert!((x + y + z - 1.0).abs() < 1e-6 && (z - 4.0 * y).abs() < 1e-6 && x > z);
+    /// assert_eq!(pixels[1 * 64 + 20], [1.0; 4]);
+    /// # Ok::<(), Error>(())
+    /// ```
+    #[inline(always)]
+    pub fn barycentrics(&self) -> Vec3<L> {
+        self.both_barycentrics()[0]
+    }
+
+    /// The same without perspective, as parts of the triangle's area on the picture: Vulkan's `BaryCoordNoPerspKHR`, what a `#[noperspective]` varying is interpolated with. The shader must ask for it: see
+    /// [`barycentrics`](Self::barycentrics).
+    #[inline(always)]
+    pub fn barycentrics_noperspective(&self) -> Vec3<L> {
+        self.both_barycentrics()[1]
+    }
+
+    #[inline(always)]
+    fn both_barycentrics(&self) -> [Vec3<L>; 2] {
+        const {
+            assert!(
+                K::BARYCENTRICS,
+                "this fragment stage reads f.barycentrics() or f.barycentrics_noperspective(): add `const BARYCENTRICS: bool = true;` to its \
+                 `impl Shader` (a closure has no barycentric coordinates: implement `Shader` instead)"
+            );
+        }
+        self.parts.barycentrics
     }
 
     /// The number of the sample that is shaded, as [`Samples::positions`](crate::Samples::positions) has them; 0 where pixels have one.
@@ -625,6 +699,7 @@ mod tests {
             y: constant(6.5),
             point_coord: Vec2::new(constant(0.5), constant(0.5)),
             ids: [Uint::new(lanes, 0); 3],
+            barycentrics: [Vec3::new(constant(1.0), constant(0.0), constant(0.0)); 2],
             depth: constant(0.25),
             sample_index: Uint::new(lanes, 0),
             sample_mask: Uint::new(lanes, 1),

@@ -99,6 +99,7 @@
 //! [`f.set_depth(z)`](Frag::set_depth) `const WRITES_DEPTH: bool = true;`;
 //! [`f.sample_index()`](Frag::sample_index), [`f.sample_mask()`](Frag::sample_mask) and [`f.set_sample_mask(mask)`](Frag::set_sample_mask) want `SAMPLE_INDEX`, `SAMPLE_MASK` and
 //! `WRITES_SAMPLE_MASK`;
+//! [`f.barycentrics()`](Frag::barycentrics) wants `const BARYCENTRICS: bool = true;`;
 //! [`f.point_coord()`](Frag::point_coord), the place in a point's square, `const POINT_COORD: bool = true;`;
 //! [`f.triangle_id()`](Frag::triangle_id), `f.instance_id()` and `f.draw_id()` `const IDS: bool = true;`.
 //! They cost time where they are switched on, so none is unless asked for, and using one without its constant is an
@@ -229,6 +230,7 @@ mod blend;
 mod by_lane;
 pub(crate) mod cached;
 mod centroid;
+pub(crate) mod coordinates;
 pub(crate) mod distinct;
 mod few;
 mod in_full;

@@ -2,13 +2,14 @@
 //!
 //! Only the fragment stage is compiled for each shader; so what it works on lies in memory, a batch of packets at a time.
 
+use super::coordinates::Coordinates;
 use super::distinct::Fragments;
 use super::parts::Parts;
 use super::run::RunView;
 use super::{__Row4 as Row4, Frag, FragParts, FragmentStage, Interpolation, OutputLayout, Outputs, Varyings};
 use crate::geometry::raster_space::{HALF_PIXEL, SUBPIXELS};
 use crate::lanes::Packet;
-use crate::math::{Bool, Real, Uint, Vec2};
+use crate::math::{Bool, Real, Uint, Vec2, Vec3};
 use crate::pass::Conservative;
 use crate::pass::draw_call::DrawCall;
 use crate::pass::plan::DepthRule;
@@ -31,14 +32,16 @@ pub(crate) struct VaryingLayout {
     pub(crate) point_coord: bool,
     /// Whether the depth is interpolated, too.
     pub(crate) depth: bool,
-    /// Whether everything is interpolated with perspective.
+    /// Whether barycentric coordinates are asked for.
+    pub(crate) barycentrics: bool,
+    /// Whether everything is interpolated with perspective, and there is nothing but varyings (and their derivatives, and depth).
     pub(crate) is_plain: bool,
 }
 
 impl VaryingLayout {
     pub(crate) fn new(interpolation: &'static [Interpolation], derivatives: bool) -> Self {
         let is_plain = interpolation.iter().all(|&i| i == Interpolation::Perspective);
-        Self { interpolation, derivatives, point_coord: false, depth: false, is_plain }
+        Self { interpolation, derivatives, point_coord: false, depth: false, barycentrics: false, is_plain }
     }
 
     /// Rows of a packet: the varyings and, if asked for, their derivatives along x and y.
@@ -53,6 +56,7 @@ pub(crate) struct PacketRows<'a> {
     pub(crate) dx: &'a mut [[f32; 16]],
     pub(crate) dy: &'a mut [[f32; 16]],
     pub(crate) z: &'a mut [f32; 16],
+    pub(crate) barycentrics: &'a mut [Coordinates; 2],
 }
 
 /// Whether a packet's fragments are shaded elsewhere than at their pixels' centres.
@@ -118,6 +122,8 @@ pub(crate) struct PacketBatch {
     /// Each lane's triangle and instance, for shaders that ask for them; and the draw of all.
     numbers: [[[u32; 16]; 2]; BATCH],
     draw: u32,
+    /// With perspective and without, for shaders that ask for them.
+    barycentrics: [[Coordinates; 2]; BATCH],
     /// The sample that each packet is of, if it is of one, and the samples that its lanes cover, for shaders that ask for them. Those that write a mask leave it here.
     sample_indices: [u32; BATCH],
     sample_masks: [[u32; 16]; BATCH],
@@ -142,6 +148,7 @@ impl PacketBatch {
             z: [[0.0; 16]; BATCH],
             numbers: [[[0; 16]; 2]; BATCH],
             draw: 0,
+            barycentrics: [[[[0.0; 16]; 3]; 2]; BATCH],
             sample_indices: [0; BATCH],
             sample_masks: [[0; 16]; BATCH],
         }
@@ -323,7 +330,8 @@ impl PacketBatch {
         let moved = if self.moved[k & (BATCH - 1)] == Moved::No { None } else { Some(&self.offsets[k & (BATCH - 1)]) };
         let (border, samples) = (self.borders[k & (BATCH - 1)], self.samples);
         let fragments = Fragments { moved, border, samples, ..self.packets[k].fragments() };
-        (fragments, PacketRows { here, dx, dy, z: &mut self.z[k & (BATCH - 1)] })
+        let (z, barycentrics) = (&mut self.z[k & (BATCH - 1)], &mut self.barycentrics[k & (BATCH - 1)]);
+        (fragments, PacketRows { here, dx, dy, z, barycentrics })
     }
 
     /// What the fragments of packet `k` have beside a colour.
@@ -375,6 +383,7 @@ impl PacketBatch {
                 z: zero,
                 point_coord: Vec2::new(zero, zero),
                 ids: [Uint(i32x16::splat(s, 0)); 3],
+                barycentrics: [Vec3::new(zero, zero, zero); 2],
                 depth: zero,
                 sample_index: Uint(i32x16::splat(s, 0)),
                 sample_mask: Uint(i32x16::splat(s, 0)),
@@ -416,6 +425,11 @@ impl PacketBatch {
                 parts.y = Real(parts.y.0 + y * (1.0 / SUBPIXELS as f32));
             }
             parts.z = Real(i32x16::simd_from(s, packet.depth).bitcast());
+            if St::BARYCENTRICS {
+                let [with, without] = &self.barycentrics[k & (BATCH - 1)];
+                parts.barycentrics =
+                    [Vec3::read(Packet(s), with.as_flattened()), Vec3::read(Packet(s), without.as_flattened())];
+            }
             if St::WRITES_DEPTH {
                 parts.depth = parts.z;
             }

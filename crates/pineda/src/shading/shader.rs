@@ -46,6 +46,9 @@ pub trait Shader: Sized + Sync {
     /// Whether the fragment stage calls [`f.set_sample_mask(..)`](super::Frag::set_sample_mask). It is then run for each layer in turn, as one that discards.
     const WRITES_SAMPLE_MASK: bool = false;
 
+    /// Whether the fragment stage reads [`f.barycentrics()`](super::Frag::barycentrics) or [`f.barycentrics_noperspective()`](super::Frag::barycentrics_noperspective).
+    const BARYCENTRICS: bool = false;
+
     /// How many [clip distances](Self::clip_distances) the vertex stage gives, at most [`MAX_CLIP_DISTANCES`](super::MAX_CLIP_DISTANCES).
     const CLIP_DISTANCES: usize = 0;
 

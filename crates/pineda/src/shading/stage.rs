@@ -21,6 +21,8 @@ pub(crate) trait FragmentStage<L: Lanes> {
     const POINT_COORD: bool = <Self::Kind as FragmentKind>::POINT_COORD;
     /// Whether ids must be filled in.
     const IDS: bool = <Self::Kind as FragmentKind>::IDS;
+    /// Whether barycentric coordinates must be filled in.
+    const BARYCENTRICS: bool = <Self::Kind as FragmentKind>::BARYCENTRICS;
     /// Whether it leaves a depth.
     const WRITES_DEPTH: bool = <Self::Kind as FragmentKind>::WRITES_DEPTH;
     /// Whether the sample's number must be filled in.
@@ -52,6 +54,7 @@ impl FragmentKind for ClosureKind {
     const DERIVATIVES: bool = false;
     const POINT_COORD: bool = false;
     const IDS: bool = false;
+    const BARYCENTRICS: bool = false;
     const WRITES_DEPTH: bool = false;
     const SAMPLE_INDEX: bool = false;
     const SAMPLE_MASK: bool = false;

@@ -1,5 +1,6 @@
 //! `pineda` against the oracle, against a naive renderer, and against its own promises.
 
+mod barycentrics;
 mod clip_distances;
 mod color_errors;
 mod conservative;
