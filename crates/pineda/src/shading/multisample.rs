@@ -251,7 +251,7 @@ pub(crate) fn shade_samples_in_order<S: Simd>(s: S, shading: &mut Shading<'_>, p
     shading.cache.start(shading.run, &layout);
     let call = shading.call;
     let state = call.state();
-    let uses = call.uses();
+    let uses = shading.uses;
     let is_late = uses.decides() || state.alpha_to_coverage;
     let tests = Tests { state, front_is_clockwise: shading.run.front_is_clockwise };
     let has_color = shading.color.format != ColorFormat::None || !shading.more_colors.is_empty();
@@ -330,7 +330,8 @@ fn merge<S: Simd>(s: S, shading: &mut Shading<'_>, groups: &[&mut [OrderedPacket
     let first = state.color(0);
     let how = How::of(&first);
     let further = shading.further();
-    let uses = shading.call.uses();
+    let uses = shading.uses;
+    let leaves_more = uses.leaves_more();
     let has_alpha = shading.call.outputs().kinds.first() == Some(&OutputKind::Float);
     let mut i = 0;
     while i < shading.batch.len() {
@@ -347,13 +348,18 @@ fn merge<S: Simd>(s: S, shading: &mut Shading<'_>, groups: &[&mut [OrderedPacket
         let mut count = 0;
         for ordered in &*groups[i] {
             let block = ordered.block as usize;
-            let depth = if uses.writes_depth { &packet.depth } else { &ordered.depth };
+            let mut depth = &ordered.depth;
             let mut alive = mask32x16::from_bitmask(s, u64::from(packet.alive & ordered.mask));
             if state.alpha_to_coverage && has_alpha {
                 alive = alive & covers_by_alpha(s, &packet.color[3], shading.view.sample_of(block), samples);
             }
-            if uses.writes_sample_mask {
-                alive = alive & shading.batch.lets_cover(s, i, shading.view.sample_of(block));
+            if leaves_more {
+                if uses.writes_sample_mask {
+                    alive = alive & shading.batch.lets_cover(s, i, shading.view.sample_of(block));
+                }
+                if uses.writes_depth {
+                    depth = &packet.depth;
+                }
             }
             if is_late {
                 let tested = tests.of(s, shading.tile, id, block, alive, depth);

@@ -11,7 +11,7 @@ use super::run::RunView;
 use super::single::{Single, begins_with_many, fill};
 use super::stencil::Tests;
 use super::visible_packets::VisiblePacket;
-use super::{__Row4 as Row4, OutputKind};
+use super::{__Row4 as Row4, OutputKind, StageUses};
 use crate::pass::draw_call::DrawCall;
 use crate::pass::{Blend, ColorMask, ColorState, DrawStatistics, Sampling};
 use crate::raster::samples::SampleSet;
@@ -46,6 +46,7 @@ pub(crate) struct Shading<'a> {
     pub(crate) batch: &'a mut PacketBatch,
     pub(crate) cache: &'a mut TriangleCache,
     pub(crate) single: &'a mut Single,
+    pub(crate) uses: StageUses,
     /// What becomes of depths that are not the triangles' own.
     pub(crate) depth: AnyTest,
     /// Where fragments and samples of ordered draws are counted, if they are.
@@ -76,7 +77,7 @@ impl Shading<'_> {
     /// Runs the fragment stage over the batch.
     #[inline(always)]
     pub(super) fn run_fragments<S: Simd>(&mut self, s: S) {
-        let uses = self.call.uses();
+        let uses = self.uses;
         if uses.ids {
             let run = self.run;
             self.batch.number(run.run.draw, |id| run.run.instance_and_triangle(id.number() - run.first_number));
@@ -165,7 +166,7 @@ pub(crate) fn shade_in_order<S: Simd>(s: S, shading: &mut Shading<'_>, packets: 
     let (mut last, mut distinct) = (Last::none(s), [Distinct::NONE; BATCH]);
     shading.cache.start(shading.run, &layout);
     let call = shading.call;
-    let (state, uses) = (call.state(), call.uses());
+    let (state, uses) = (call.state(), shading.uses);
     let is_late = uses.decides();
     let tests = Tests { state, front_is_clockwise: shading.run.front_is_clockwise };
     let has_color = shading.color.format != ColorFormat::None || !shading.more_colors.is_empty();
@@ -246,9 +247,9 @@ fn merge<S: Simd>(s: S, shading: &mut Shading<'_>, is_over: bool) {
     if is_over {
         return merge_over(s, shading);
     }
-    let (state, uses) = (shading.call.state(), shading.call.uses());
-    // Without a stencil test, what is not discarded has passed, unless its depth is another now.
-    let is_late = uses.writes_depth || (uses.decides() && state.stencil.is_some());
+    let (state, uses) = (shading.call.state(), shading.uses);
+    // Without a stencil test, what is not discarded has passed, unless its depth is another now. (To test the rest of what passed once more changes nothing.)
+    let is_late = uses.leaves_more() || (uses.discards && state.stencil.is_some());
     let tests = Tests { state, front_is_clockwise: shading.run.front_is_clockwise };
     let first = state.color(0);
     let how = How::of(&first);
@@ -258,10 +259,10 @@ fn merge<S: Simd>(s: S, shading: &mut Shading<'_>, is_over: bool) {
         let packet = &shading.batch.packets()[i];
         let block = packet.block as usize;
         let mut alive = mask32x16::from_bitmask(s, u64::from(packet.alive));
-        if uses.writes_sample_mask {
-            alive = alive & shading.batch.lets_cover(s, i, 0);
-        }
         if is_late {
+            if uses.writes_sample_mask {
+                alive = alive & shading.batch.lets_cover(s, i, 0);
+            }
             let id = TriangleId(packet.ids[0]);
             let tested = tests.of(s, shading.tile, id, block, alive, &packet.depth);
             tested.update(s, shading.tile, block);

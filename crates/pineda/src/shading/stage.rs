@@ -87,7 +87,13 @@ impl StageUses {
     /// Whether it has a say in which samples pass, so that tests have to wait for it.
     #[inline(always)]
     pub(crate) fn decides(&self) -> bool {
-        self.discards | self.writes_depth | self.writes_sample_mask
+        self.discards | self.leaves_more()
+    }
+
+    /// Whether it leaves more than colours.
+    #[inline(always)]
+    pub(crate) fn leaves_more(&self) -> bool {
+        self.writes_depth | self.writes_sample_mask
     }
 }
 

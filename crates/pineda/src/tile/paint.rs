@@ -341,9 +341,11 @@ impl Painter {
         counted: Option<&'a mut DrawStatistics>,
     ) -> Shading<'a> {
         let batch = painting.batch;
+        let call = &*painting.draws[batch.runs[run].draw];
         Shading {
             level: painting.level,
-            call: &*painting.draws[batch.runs[run].draw],
+            call,
+            uses: call.uses(),
             run: &painting.runs[run],
             view,
             tile: &mut self.tile,
