@@ -12,13 +12,13 @@ pub struct Bounds {
 }
 
 impl Bounds {
-    /// Around every vertex that a triangle names; vertices that are not finite are passed over. `None` if there are
+    /// Around every vertex that a triangle, line or point names; vertices that are not finite are passed over. `None` if there are
     /// none, or an index is out of range.
     pub fn of(scene: &Scene) -> Option<Self> {
         let mut min = [f32::INFINITY; 3];
         let mut max = [f32::NEG_INFINITY; 3];
         for object in &scene.objects {
-            for &index in object.triangles.iter().flatten() {
+            for index in object.indices() {
                 let position = object.vertices.get(index as usize)?.position;
                 if position.iter().all(|c| c.is_finite()) {
                     for axis in 0..3 {

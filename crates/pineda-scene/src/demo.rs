@@ -65,6 +65,7 @@ fn add(scene: &mut Scene, name: &str, [r, g, b]: [u8; 3], (vertices, triangles):
         triangles,
         material: scene.materials.len(),
         normals: Normals::Given,
+        ..Object::default()
     });
     scene.materials.push(Material {
         name: name.into(),

@@ -101,10 +101,20 @@ pub enum Error {
         field: &'static str,
     },
     /// There is nothing to draw.
-    #[error("has no triangles to draw{}", if reasons.is_empty() { String::new() } else { format!(" ({})", reasons.join("; ")) })]
-    NoTriangles {
+    #[error("has nothing to draw{}", if reasons.is_empty() { String::new() } else { format!(" ({})", reasons.join("; ")) })]
+    NothingToDraw {
         /// What there is instead: the reader's notes.
         reasons: Vec<String>,
+    },
+    /// A [`crate::Select`] that selects nothing.
+    #[error("has no {what} {asked}: {}", listed(what, there))]
+    NoSuch {
+        /// `scene`, `animation`, `variant` or `camera`.
+        what: &'static str,
+        /// The name, in quotes, or number that was asked for.
+        asked: String,
+        /// The names of those that there are, in order; some may be empty.
+        there: Vec<String>,
     },
     /// A [`crate::View`] that shows nothing.
     #[error("a view with {name} {value} shows nothing: {expected}")]
@@ -130,4 +140,20 @@ impl Error {
     pub(crate) fn gltf(place: impl Into<String>, message: impl Into<String>) -> Self {
         Self::Gltf { place: place.into(), message: message.into() }
     }
+}
+
+/// `it has 0 'Walk', 1 'Run' and 7 more`, for whoever asked for something else.
+fn listed(what: &str, names: &[String]) -> String {
+    const SHOWN: usize = 8;
+    if names.is_empty() {
+        return format!("it has no {what}s");
+    }
+    let shown = names.iter().take(SHOWN).enumerate().map(|(number, name)| match name.as_str() {
+        "" => number.to_string(),
+        name => format!("{number} '{}'", crate::text::shown(name.as_bytes())),
+    });
+    let shown: Vec<_> = shown.collect();
+    let more = names.len() - shown.len();
+    let more = if more > 0 { format!(" and {more} more") } else { String::new() };
+    format!("it has {}{more}", shown.join(", "))
 }

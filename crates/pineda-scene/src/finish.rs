@@ -5,33 +5,41 @@ use crate::note::counted;
 use crate::vector::{add, area_vector_x2, unit_or_zero, widen};
 use crate::{Normals, Object, Vertex};
 
-/// Drops triangles with a NaN or infinite corner and objects without triangles, replaces unusable normals and colours,
-/// and says so.
-pub(crate) fn finish(loaded: &mut Loaded) {
-    let [mut dropped, mut normals, mut colors] = [0; 3];
+/// Drops triangles, lines and points with a NaN or infinite corner, and objects that are empty then; replaces unusable
+/// normals, colours and texture coordinates; and says so.
+pub(crate) fn finish(mut loaded: Loaded) -> Loaded {
+    let [mut triangles, mut strokes, mut normals, mut colors, mut uvs] = [0; 5];
     for object in &mut loaded.scene.objects {
-        dropped += drop_unbounded_triangles(object);
+        if !object.vertices.iter().all(is_bounded) {
+            let vertices = &object.vertices;
+            let is_drawn = |corners: &[u32]| corners.iter().all(|&v| is_bounded(&vertices[v as usize]));
+            triangles += drop(&mut object.triangles, |triangle| is_drawn(triangle));
+            strokes += drop(&mut object.lines, |line| is_drawn(line));
+            strokes += drop(&mut object.points, |&point| is_drawn(&[point]));
+        }
         normals += if object.normals == Normals::Given { replace_missing_normals(object) } else { 0 };
         colors += replace_unbounded_colors(&mut object.vertices);
+        uvs += replace_unbounded_uvs(&mut object.uvs);
     }
-    loaded.scene.objects.retain(|object| !object.triangles.is_empty());
+    loaded.scene.objects.retain(|object| !object.is_empty());
     let mut note = |count: usize, one: &str, many: &str, what: &str| {
         if count > 0 {
             loaded.notes.push(format!("{} {what}", counted(count, one, many)));
         }
     };
-    note(dropped, "triangle", "triangles", "dropped: a corner is infinite or not a number");
+    note(triangles, "triangle", "triangles", "dropped: a corner is infinite or not a number");
+    note(strokes, "line or point", "lines and points", "dropped: infinite or not a number");
     note(normals, "normal", "normals", "without a direction replaced by the faces'");
     note(colors, "vertex colour", "vertex colours", "replaced by white: infinite or not a number");
+    note(uvs, "texture coordinate", "texture coordinates", "replaced by 0: infinite or not a number");
+    loaded
 }
 
-fn drop_unbounded_triangles(object: &mut Object) -> usize {
-    let before = object.triangles.len();
-    if object.vertices.iter().all(is_bounded) {
-        return 0;
-    }
-    object.triangles.retain(|t| t.iter().all(|&v| is_bounded(&object.vertices[v as usize])));
-    before - object.triangles.len()
+/// How many were dropped.
+fn drop<T>(elements: &mut Vec<T>, is_drawn: impl Fn(&T) -> bool) -> usize {
+    let before = elements.len();
+    elements.retain(is_drawn);
+    before - elements.len()
 }
 
 fn is_bounded(vertex: &Vertex) -> bool {
@@ -72,6 +80,17 @@ fn replace_unbounded_colors(vertices: &mut [Vertex]) -> usize {
     for vertex in vertices {
         if !vertex.color.iter().all(|c| c.is_finite()) {
             vertex.color = Vertex::WHITE;
+            replaced += 1;
+        }
+    }
+    replaced
+}
+
+fn replace_unbounded_uvs(sets: &mut [Vec<[f32; 2]>]) -> usize {
+    let mut replaced = 0;
+    for uv in sets.iter_mut().flatten() {
+        if !uv.iter().all(|c| c.is_finite()) {
+            *uv = [0.0; 2];
             replaced += 1;
         }
     }

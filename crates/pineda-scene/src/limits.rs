@@ -10,7 +10,7 @@ pub struct Limits {
     pub file_bytes: u64,
     /// Vertices of the scene. Default 2^26 (2.5 GiB); a quarter of that where pointers have 32 bits, as on the web.
     pub vertices: u64,
-    /// Triangles of the scene. Default 2^27 (1.5 GiB); a quarter of that where pointers have 32 bits.
+    /// Triangles, lines and points of the scene. Default 2^27 (1.5 GiB); a quarter of that where pointers have 32 bits.
     pub triangles: u64,
     /// Vertices, and triangles, that the file's bytes do not hold one by one: meshes that several nodes draw, accessors
     /// without data. A scene may hold this many more of either than the files have bytes. Default 2^23.
@@ -19,6 +19,14 @@ pub struct Limits {
     pub objects: u64,
     /// Depth of a node below its scene's root. Default 1024.
     pub nesting: u64,
+    /// Pixels of any one image. Default 2^26 (8192 x 8192). An image with more is left out.
+    pub image_pixels: u64,
+    /// Pixels of all images together, those of 16 bits a channel counted twice. Default 2^29 (2 GiB); a quarter of that
+    /// where pointers have 32 bits. The images beyond are left out.
+    pub pixels: u64,
+    /// Pixels that images may have beyond 32 for each byte of theirs: a file of a few bytes can hold a picture of any
+    /// size. Default 3 * 2^25 (384 MiB).
+    pub expanded_pixels: u64,
 }
 
 impl Limits {
@@ -37,11 +45,15 @@ impl Default for Limits {
             expanded: 1 << 23,
             objects: 1 << 19,
             nesting: 1024,
+            image_pixels: 1 << 26,
+            pixels: quarters << 27,
+            expanded_pixels: 3 << 25,
         }
     }
 }
 
 /// What is left of the limits while a model is read. Asked *before* memory is taken.
+#[derive(Clone, Debug)]
 pub(crate) struct Budget {
     limits: Limits,
     bytes: u64,
@@ -49,6 +61,7 @@ pub(crate) struct Budget {
     triangles: u64,
     objects: u64,
     elements: u64,
+    attributes: u64,
     /// Steps that triangulating polygons may still take, see [`crate::polygon`].
     pub(crate) polygon_steps: u64,
 }
@@ -57,10 +70,22 @@ impl Budget {
     /// For a model whose main file has `bytes` bytes.
     pub(crate) fn new(limits: &Limits, bytes: usize) -> Result<Self, Error> {
         let polygon_steps = crate::polygon::steps_allowed(bytes);
-        let mut budget =
-            Self { limits: *limits, bytes: 0, vertices: 0, triangles: 0, objects: 0, elements: 0, polygon_steps };
+        let mut budget = Self {
+            limits: *limits,
+            bytes: 0,
+            vertices: 0,
+            triangles: 0,
+            objects: 0,
+            elements: 0,
+            attributes: 0,
+            polygon_steps,
+        };
         budget.add_bytes(bytes as u64)?;
         Ok(budget)
+    }
+
+    pub(crate) fn limits(&self) -> &Limits {
+        &self.limits
     }
 
     pub(crate) fn nesting(&self) -> u64 {
@@ -98,9 +123,20 @@ impl Budget {
         self.check_expanded("accessor elements", self.elements)
     }
 
+    /// Pairs of texture coordinates, and half tangents, which take a fifth of a vertex' memory.
+    pub(crate) fn attributes(&mut self, count: u64) -> Result<(), Error> {
+        self.attributes = self.attributes.saturating_add(count);
+        self.check_expanded("vertex attributes", self.attributes / 4)
+    }
+
     pub(crate) fn objects(&mut self, count: u64) -> Result<(), Error> {
         self.objects = self.objects.saturating_add(count);
         check("objects", self.objects, self.limits.objects, "Limits::objects")
+    }
+
+    /// Whether so many more would be within the limit.
+    pub(crate) fn check_objects(&self, count: u64) -> Result<(), Error> {
+        check("objects", self.objects.saturating_add(count), self.limits.objects, "Limits::objects")
     }
 
     fn check_expanded(&self, what: &'static str, count: u64) -> Result<(), Error> {
@@ -118,7 +154,15 @@ mod tests {
 
     #[test]
     fn limits_name_the_field_to_raise() {
-        let limits = Limits { file_bytes: 10, vertices: 20, triangles: 20, expanded: 3, objects: 1, nesting: 1 };
+        let limits = Limits {
+            file_bytes: 10,
+            vertices: 20,
+            triangles: 20,
+            expanded: 3,
+            objects: 1,
+            nesting: 1,
+            ..Limits::default()
+        };
         let field = |error: Error| if let Error::Limit { field, .. } = error { field } else { panic!("{error}") };
         assert_eq!(field(Budget::new(&limits, 11).err().unwrap()), "Limits::file_bytes");
         let budget = || Budget::new(&limits, 10).unwrap();

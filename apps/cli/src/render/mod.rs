@@ -93,18 +93,46 @@ fn scene(arguments: &RenderArguments) -> Result<pineda_scene::Scene, Failure> {
         }
         error => Failure::data(error).at(path.display()),
     })?;
-    for note in &loaded.notes {
+    let mut notes = loaded.notes;
+    notes.extend(not_drawn(&loaded.scene));
+    if loaded.scene.objects.iter().all(|object| object.triangles.is_empty()) {
+        let reasons = notes.join("; ");
+        return Err(Failure::data(format_args!("the model has nothing to draw ({reasons})")).at(path.display()));
+    }
+    for note in &notes {
         // Nobody is left to tell if standard error is closed.
         let _ = writeln!(std::io::stderr(), "note: {note}");
     }
     Ok(loaded.scene)
 }
 
+/// What a scene has that no shading shows yet, one line each.
+fn not_drawn(scene: &pineda_scene::Scene) -> Vec<String> {
+    let sum = |count: fn(&pineda_scene::Object) -> usize| scene.objects.iter().map(count).sum::<usize>();
+    let [strokes, images] = [sum(|o| o.lines.len() + o.points.len()), scene.images.len()];
+    let mut drawn = vec![false; scene.materials.len()];
+    scene.objects.iter().for_each(|object| drawn[object.material] = true);
+    let is_blended = |(material, drawn): &(&pineda_scene::Material, bool)| {
+        *drawn && material.alpha_mode != pineda_scene::AlphaMode::Opaque
+    };
+    let blended = scene.materials.iter().zip(drawn).filter(is_blended).count();
+    let mut lines = Vec::new();
+    let mut line = |count: usize, what: &str, one: &str, many: &str, how: &str| {
+        if count > 0 {
+            lines.push(format!("{what} not drawn yet: {count} {} {how}", if count == 1 { one } else { many }));
+        }
+    };
+    line(strokes, "lines and points are", "line or point", "lines and points", "skipped");
+    line(images, "textures are", "image", "images", "ignored");
+    line(blended, "transparency is", "material", "materials", "drawn opaque");
+    lines
+}
+
 /// What is wrong, as the end of a sentence that begins with "the model".
 fn predicate(error: &pineda_scene::Error) -> String {
     use pineda_scene::Error;
     match error {
-        Error::Read { .. } | Error::UnknownFormat | Error::Limit { .. } | Error::NoTriangles { .. } => {
+        Error::Read { .. } | Error::UnknownFormat | Error::Limit { .. } | Error::NothingToDraw { .. } => {
             error.to_string()
         }
         _ => format!("cannot be read: {error}"),

@@ -53,7 +53,7 @@ impl Stage {
         let offset = [0, 1, 2].map(|axis| framing.eye[axis] - framing.target[axis]);
         let distance = offset.iter().map(|x| x * x).sum::<f64>().sqrt();
         let camera = Camera::new(&framing, offset, distance, view.aspect);
-        let Scene { objects, materials } = scene;
+        let Scene { objects, materials, .. } = scene;
         let props = objects.into_iter().map(|mut object| {
             if object.normals == Normals::Absent {
                 if crease > 0.0 { smooth_normals(&mut object, crease) } else { flat_normals(&mut object) }

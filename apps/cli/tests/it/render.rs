@@ -133,7 +133,7 @@ fn render_of_rubbish() {
         folder.write(name, content);
         folder.fail(&["render", name, "-o", "a.png"], 1, &[parts, &[&format!("where: {name}")]].concat());
     };
-    fails("empty.obj", b"", &["no triangles"]);
+    fails("empty.obj", b"", &["nothing to draw"]);
     fails("empty.stl", b"", &[]);
     fails("empty.ply", b"", &[]);
     fails("empty.gltf", b"", &[]);

@@ -9,15 +9,19 @@
 use std::cell::Cell;
 
 use super::buffers::Buffers;
-use super::schema::{Root, Sparse, Whole};
+use super::schema::{Accessor as Definition, Root, Sparse, Whole};
 use crate::Error;
 use crate::limits::Budget;
 
 /// An accessor all of whose elements exist.
 pub(super) struct Accessor<'a> {
     pub(super) count: usize,
-    /// 1 to 4.
+    /// Numbers of an element: 1 to 4, or a matrix' 4, 9 or 16, column by column.
     pub(super) channels: usize,
+    /// Numbers of a column: all, unless it is a matrix.
+    rows: usize,
+    /// Bytes from a column to the next.
+    column: usize,
     component: Component,
     normalized: bool,
     /// `None`: zeros.
@@ -72,7 +76,7 @@ impl<'a> Overlay<'a> {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Component {
+pub(super) enum Component {
     I8,
     U8,
     I16,
@@ -82,7 +86,7 @@ enum Component {
 }
 
 impl Component {
-    fn of(code: Whole) -> Option<Self> {
+    pub(super) fn of(code: Whole) -> Option<Self> {
         Some(match code.0 {
             5120 => Self::I8,
             5121 => Self::U8,
@@ -114,6 +118,18 @@ impl Component {
         }
     }
 
+    /// Adds the number, which is one of its own, as bytes.
+    pub(super) fn write(self, number: f32, bytes: &mut Vec<u8>) {
+        match self {
+            Self::I8 => bytes.extend((number as i8).to_le_bytes()),
+            Self::U8 => bytes.extend((number as u8).to_le_bytes()),
+            Self::I16 => bytes.extend((number as i16).to_le_bytes()),
+            Self::U16 => bytes.extend((number as u16).to_le_bytes()),
+            Self::U32 => bytes.extend((number as u32).to_le_bytes()),
+            Self::F32 => bytes.extend(number.to_le_bytes()),
+        }
+    }
+
     /// A normalised integer as the number that it stands for (specification, 3.6.2.2).
     fn normalize(self, number: f64) -> f64 {
         let signed = |largest: f64| if number < -largest { -1.0 } else { number / largest };
@@ -128,17 +144,53 @@ impl Component {
     }
 }
 
+/// What an element consists of.
+pub(super) struct Shape {
+    pub(super) component: Component,
+    /// Numbers of a column: all, unless it is a matrix.
+    rows: usize,
+    /// Numbers in all.
+    pub(super) channels: usize,
+    /// Bytes from a column to the next.
+    column: usize,
+    /// Bytes in all.
+    size: usize,
+}
+
+impl Shape {
+    pub(super) fn of(definition: &Definition) -> Result<Self, String> {
+        let code = definition.component_type;
+        let component = Component::of(code).ok_or_else(|| format!("component type {code} does not exist"))?;
+        let (columns, rows) = match definition.kind.as_str() {
+            "SCALAR" => (1, 1),
+            "VEC2" => (1, 2),
+            "VEC3" => (1, 3),
+            "VEC4" => (1, 4),
+            "MAT2" => (2, 2),
+            "MAT3" => (3, 3),
+            "MAT4" => (4, 4),
+            kind => {
+                let kind = crate::text::shown(kind.as_bytes());
+                return Err(format!("its type is {kind}: expected SCALAR, VEC2 to VEC4 or MAT2 to MAT4"));
+            }
+        };
+        // A matrix' columns begin at multiples of four bytes (specification, 3.6.2.4).
+        let column = if columns > 1 { (rows * component.size()).next_multiple_of(4) } else { rows * component.size() };
+        Ok(Self { component, rows, channels: columns * rows, column, size: columns * column })
+    }
+}
+
 /// What accessors are resolved against.
 pub(super) struct Accessors<'a> {
     pub(super) root: &'a Root,
-    buffers: &'a Buffers<'a>,
+    buffers: &'a Buffers,
     /// The accessors whose elements have been counted and whose sparse indices have been looked at, so that a node
     /// more costs no more.
     known: Vec<Cell<bool>>,
 }
 
 impl<'a> Accessors<'a> {
-    pub(super) fn new(root: &'a Root, buffers: &'a Buffers<'a>) -> Self {
+    pub(super) fn new(root: &'a Root, buffers: &'a Buffers) -> Self {
         Self { root, buffers, known: vec![Cell::new(false); root.accessors.len()] }
     }
 
@@ -148,28 +200,14 @@ impl<'a> Accessors<'a> {
         let wrong = |message: String| Error::gltf(place.as_str(), message);
         let definition =
             self.root.accessors.get(number.index()).ok_or_else(|| wrong("it does not exist".to_owned()))?;
-        let code = definition.component_type;
-        let component = Component::of(code).ok_or_else(|| wrong(format!("component type {code} does not exist")))?;
-        let channels = match definition.kind.as_str() {
-            "SCALAR" => 1,
-            "VEC2" => 2,
-            "VEC3" => 3,
-            "VEC4" => 4,
-            kind => {
-                return Err(wrong(format!(
-                    "its type is {}: expected SCALAR or VEC2 to VEC4",
-                    crate::text::shown(kind.as_bytes())
-                )));
-            }
-        };
+        let Shape { component, rows, channels, column, size } = Shape::of(definition).map_err(wrong)?;
         let count = definition.count;
-        let size = channels * component.size();
         let dense = match definition.buffer_view {
-            Some(view) => Some(self.elements(view, definition.byte_offset, size, count, &place, budget)?),
+            Some(view) => Some(self.elements(view, definition.byte_offset, size, count, &place)?),
             None => None,
         };
         let sparse = match &definition.sparse {
-            Some(sparse) => Some(self.overlay(sparse, size, &place, budget)?),
+            Some(sparse) => Some(self.overlay(sparse, size, &place)?),
             None => None,
         };
         if !self.known[number.index()].replace(true) {
@@ -181,12 +219,19 @@ impl<'a> Accessors<'a> {
                 overlay.check(count.0).map_err(wrong)?;
             }
         }
-        Ok(Accessor { count: count.index(), channels, component, normalized: definition.normalized, dense, sparse })
+        let (count, normalized) = (count.index(), definition.normalized);
+        Ok(Accessor { count, channels, rows, column, component, normalized, dense, sparse })
     }
 
-    /// Whether the accessor `number` has data in this file: not so if they are compressed.
-    pub(super) fn has_data(&self, number: Whole) -> bool {
-        self.root.accessors.get(number.index()).is_none_or(|a| a.buffer_view.is_some() || a.sparse.is_some())
+    /// The accessor `number`, whose elements are not where it says, but these.
+    pub(super) fn with_bytes(&self, number: Whole, bytes: &'a [u8], place: &str) -> Result<Accessor<'a>, Error> {
+        let wrong = |message: String| Error::gltf(format!("{place}, accessor {number}"), message);
+        let missing = || wrong("it does not exist".to_owned());
+        let definition = self.root.accessors.get(number.index()).ok_or_else(missing)?;
+        let Shape { component, rows, channels, column, size } = Shape::of(definition).map_err(wrong)?;
+        let (count, normalized) = (bytes.len() / size, definition.normalized);
+        let dense = Some(Elements { bytes, stride: size });
+        Ok(Accessor { count, channels, rows, column, component, normalized, dense, sparse: None })
     }
 
     /// `count` elements of `size` bytes from `offset` on in a buffer view.
@@ -197,20 +242,14 @@ impl<'a> Accessors<'a> {
         size: usize,
         count: Whole,
         place: &str,
-        budget: &mut Budget,
     ) -> Result<Elements<'a>, Error> {
         let wrong = |message: String| Error::gltf(format!("{place}, buffer view {view}"), message);
-        let definition =
-            self.root.buffer_views.get(view.index()).ok_or_else(|| wrong("it does not exist".to_owned()))?;
-        let buffer: &'a [u8] = self.buffers.get(definition.buffer.index(), budget)?;
-        let (start, length) = (definition.byte_offset.0, definition.byte_length.0);
-        let end = start.saturating_add(length);
-        if end > buffer.len() as u64 {
-            let (number, bytes) = (definition.buffer, buffer.len());
-            return Err(wrong(format!(
-                "it ends at byte {end}, but buffer {number} has only {bytes} bytes: it is cut short"
-            )));
-        }
+        let bytes: &'a [u8] = self.buffers.view(self.root, view).map_err(|error| match error {
+            Error::Gltf { place: inner, message } => Error::gltf(format!("{place}, {inner}"), message),
+            error => error,
+        })?;
+        let definition = &self.root.buffer_views[view.index()];
+        let length = bytes.len() as u64;
         let stride = definition.byte_stride.map_or(0, |stride| stride.0);
         let stride = if stride == 0 { size as u64 } else { stride };
         let needed = match count.0 {
@@ -220,12 +259,11 @@ impl<'a> Accessors<'a> {
         if needed > length {
             return Err(wrong(format!("{count} elements need {needed} bytes of it, but it has only {length}")));
         }
-        // All in range of the buffer now, so of usize, too; without elements the offset is anything.
-        let from = (start + offset.0.min(length)) as usize;
-        Ok(Elements { bytes: &buffer[from..end as usize], stride: stride as usize })
+        // All in range of the view now, so of usize, too; without elements the offset is anything.
+        Ok(Elements { bytes: &bytes[offset.0.min(length) as usize..], stride: stride as usize })
     }
 
-    fn overlay(&self, sparse: &Sparse, size: usize, place: &str, budget: &mut Budget) -> Result<Overlay<'a>, Error> {
+    fn overlay(&self, sparse: &Sparse, size: usize, place: &str) -> Result<Overlay<'a>, Error> {
         let place = format!("{place}, sparse");
         let wrong = |message: String| Error::gltf(place.as_str(), message);
         let code = sparse.indices.component_type;
@@ -233,9 +271,9 @@ impl<'a> Accessors<'a> {
         let component =
             component.ok_or_else(|| wrong(format!("indices of component type {code}: expected 5121, 5123 or 5125")))?;
         let at = &sparse.indices;
-        let indices = self.elements(at.buffer_view, at.byte_offset, component.size(), sparse.count, &place, budget)?;
+        let indices = self.elements(at.buffer_view, at.byte_offset, component.size(), sparse.count, &place)?;
         let at = &sparse.values;
-        let values = self.elements(at.buffer_view, at.byte_offset, size, sparse.count, &place, budget)?;
+        let values = self.elements(at.buffer_view, at.byte_offset, size, sparse.count, &place)?;
         Ok(Overlay { count: sparse.count.index(), component, indices, values })
     }
 }
@@ -244,12 +282,13 @@ impl Accessor<'_> {
     /// Element `index` (below `count`), normalised if the accessor says so; channels that it does not have are `filler`.
     pub(super) fn element<const N: usize>(&self, index: usize, filler: f64) -> [f64; N] {
         let mut element = [filler; N];
-        let size = self.component.size();
         let channels = self.channels.min(N);
         match self.bytes_of(index) {
             Some(bytes) => {
-                for (number, bytes) in element.iter_mut().zip(bytes[..channels * size].chunks_exact(size)) {
-                    let stored = self.component.read(bytes);
+                let size = self.component.size();
+                for (channel, number) in element[..channels].iter_mut().enumerate() {
+                    let at = channel / self.rows * self.column + channel % self.rows * size;
+                    let stored = self.component.read(&bytes[at..]);
                     *number = if self.normalized { self.component.normalize(stored) } else { stored };
                 }
             }

@@ -6,19 +6,22 @@
 //! length  "BIN\0"  bytes       the second chunk, if any: the buffer without a URI
 //! ```
 
+use std::ops::Range;
+
 use crate::{Error, Format};
 
-pub(super) struct Container<'a> {
-    pub(super) json: &'a [u8],
-    pub(super) binary: Option<&'a [u8]>,
+/// Where a file's parts are.
+pub(super) struct Container {
+    pub(super) json: Range<usize>,
+    pub(super) binary: Option<Range<usize>>,
 }
 
 /// A file's JSON and binary chunk. A file that is not GLB is JSON.
-pub(super) fn split(bytes: &[u8]) -> Result<Container<'_>, Error> {
+pub(super) fn split(bytes: &[u8]) -> Result<Container, Error> {
     const HEADER: usize = 12;
     if !bytes.starts_with(b"glTF") {
-        let json = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
-        return Ok(Container { json, binary: None });
+        let mark = if bytes.starts_with(b"\xef\xbb\xbf") { 3 } else { 0 };
+        return Ok(Container { json: mark..bytes.len(), binary: None });
     }
     let wrong = |offset: usize, message: String| Error::binary(Format::Gltf, offset, message);
     let cut_short = || wrong(bytes.len(), "the file ends within GLB's header: it is cut short".to_owned());
@@ -34,37 +37,35 @@ pub(super) fn split(bytes: &[u8]) -> Result<Container<'_>, Error> {
         let message = format!("the file should have {length} bytes but has {}: it is cut short", bytes.len());
         return Err(wrong(8, message));
     }
-    let (kind, json, behind) = chunk(bytes, HEADER)?;
+    let (kind, json) = chunk(bytes, HEADER)?;
     if &kind != b"JSON" {
         return Err(wrong(HEADER, "GLB's first chunk is not its JSON".to_owned()));
     }
     // Chunks of other kinds are an application's own.
-    let mut at = behind;
+    let mut at = json.end;
     while at < length {
-        let (kind, data, behind) = chunk(bytes, at)?;
+        let (kind, data) = chunk(bytes, at)?;
         if &kind == b"BIN\0" {
             return Ok(Container { json, binary: Some(data) });
         }
-        at = behind;
+        at = data.end;
     }
     Ok(Container { json, binary: None })
 }
 
-/// The chunk at `at`: its kind, its data, and where the next one begins.
-fn chunk(bytes: &[u8], at: usize) -> Result<([u8; 4], &[u8], usize), Error> {
+/// The chunk at `at`: its kind, and where its data are.
+fn chunk(bytes: &[u8], at: usize) -> Result<([u8; 4], Range<usize>), Error> {
     let cut_short = |message: String| Error::binary(Format::Gltf, at, message);
     let (Some(length), Some(kind)) = (word(bytes, at), word(bytes, at + 4)) else {
         return Err(cut_short("the file ends within the header of a GLB chunk: it is cut short".to_owned()));
     };
     let start = at + 8;
     let end = start.saturating_add(length as usize);
-    let data = bytes.get(start..end).ok_or_else(|| {
-        cut_short(format!(
-            "a GLB chunk of {length} bytes, but the file has {} more: it is cut short",
-            bytes.len() - start
-        ))
-    })?;
-    Ok((kind.to_le_bytes(), data, end))
+    if end > bytes.len() {
+        let more = bytes.len() - start;
+        return Err(cut_short(format!("a GLB chunk of {length} bytes, but the file has {more} more: it is cut short")));
+    }
+    Ok((kind.to_le_bytes(), start..end))
 }
 
 fn word(bytes: &[u8], at: usize) -> Option<u32> {

@@ -1,15 +1,15 @@
-//! The JSON: those fields of glTF 2.0's schema that geometry and base colours need. What is not named here is skipped.
+//! The JSON: the fields of glTF 2.0's schema and of the extensions that are read. What is not named here is skipped.
 
-use std::fmt;
-use std::marker::PhantomData;
-use std::ops::Deref;
+mod json;
+mod material;
 
-use serde::de::{self, IgnoredAny, SeqAccess, Visitor};
-use serde::{Deserialize, Deserializer};
+use serde::Deserialize;
 
-use crate::{Error, Limits};
+use crate::Error;
+pub(super) use json::{Attributes, List, Semantic, Whole};
+pub(super) use material::{Material, TextureInfo, Transform};
 
-#[derive(Deserialize)]
+#[derive(Debug, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub(super) struct Root {
     asset: Asset,
@@ -29,29 +29,81 @@ pub(super) struct Root {
     #[serde(default)]
     pub(super) buffers: List<Buffer>,
     #[serde(default)]
-    pub(super) images: List<IgnoredAny>,
+    pub(super) images: List<Image>,
     #[serde(default)]
-    pub(super) textures: List<IgnoredAny>,
+    pub(super) textures: List<Texture>,
     #[serde(default)]
-    pub(super) animations: List<IgnoredAny>,
+    pub(super) samplers: List<Sampler>,
+    #[serde(default)]
+    pub(super) cameras: List<Camera>,
+    #[serde(default)]
+    pub(super) extensions: RootExtensions,
+    #[serde(default)]
+    pub(super) animations: List<Animation>,
+    #[serde(default)]
+    pub(super) skins: List<Skin>,
     #[serde(default)]
     pub(super) extensions_used: List<String>,
     #[serde(default)]
     pub(super) extensions_required: List<String>,
 }
 
-#[derive(Deserialize)]
+#[derive(Debug, Default, Deserialize)]
+pub(super) struct RootExtensions {
+    #[serde(rename = "KHR_lights_punctual")]
+    pub(super) lights: Option<Lights>,
+    #[serde(rename = "KHR_materials_variants")]
+    pub(super) variants: Option<Variants>,
+}
+
+#[derive(Debug, Deserialize)]
+pub(super) struct Lights {
+    #[serde(default)]
+    pub(super) lights: List<Light>,
+}
+
+#[derive(Debug, Deserialize)]
+pub(super) struct Light {
+    pub(super) name: Option<String>,
+    #[serde(rename = "type")]
+    pub(super) kind: String,
+    pub(super) color: Option<[f32; 3]>,
+    pub(super) intensity: Option<f32>,
+    pub(super) range: Option<f32>,
+    pub(super) spot: Option<Spot>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub(super) struct Spot {
+    pub(super) inner_cone_angle: Option<f64>,
+    pub(super) outer_cone_angle: Option<f64>,
+}
+
+#[derive(Debug, Deserialize)]
+pub(super) struct Variants {
+    #[serde(default)]
+    pub(super) variants: List<Named>,
+}
+
+#[derive(Debug, Deserialize)]
+pub(super) struct Named {
+    pub(super) name: Option<String>,
+}
+
+#[derive(Debug, Deserialize)]
 struct Asset {
     version: String,
 }
 
-#[derive(Deserialize)]
+#[derive(Debug, Deserialize)]
 pub(super) struct Scene {
+    pub(super) name: Option<String>,
     #[serde(default)]
     pub(super) nodes: List<Whole>,
 }
 
-#[derive(Deserialize)]
+#[derive(Debug, Deserialize)]
 pub(super) struct Node {
     name: Option<String>,
     pub(super) mesh: Option<Whole>,
@@ -65,6 +117,36 @@ pub(super) struct Node {
     pub(super) rotation: Option<[f64; 4]>,
     pub(super) scale: Option<[f64; 3]>,
     pub(super) weights: Option<List<f64>>,
+    pub(super) camera: Option<Whole>,
+    #[serde(default)]
+    pub(super) extensions: NodeExtensions,
+}
+
+#[derive(Debug, Default, Deserialize)]
+pub(super) struct NodeExtensions {
+    #[serde(rename = "KHR_lights_punctual")]
+    pub(super) light: Option<NodeLight>,
+    #[serde(rename = "EXT_mesh_gpu_instancing")]
+    pub(super) instancing: Option<Instancing>,
+}
+
+#[derive(Debug, Deserialize)]
+pub(super) struct Instancing {
+    #[serde(default)]
+    pub(super) attributes: InstanceAttributes,
+}
+
+#[derive(Debug, Default, Deserialize)]
+#[serde(rename_all = "UPPERCASE")]
+pub(super) struct InstanceAttributes {
+    pub(super) translation: Option<Whole>,
+    pub(super) rotation: Option<Whole>,
+    pub(super) scale: Option<Whole>,
+}
+
+#[derive(Debug, Deserialize)]
+pub(super) struct NodeLight {
+    pub(super) light: Whole,
 }
 
 impl Node {
@@ -73,60 +155,158 @@ impl Node {
     }
 }
 
-#[derive(Deserialize)]
+#[derive(Debug, Deserialize)]
 pub(super) struct Mesh {
     pub(super) name: Option<String>,
     pub(super) primitives: List<Primitive>,
     pub(super) weights: Option<List<f64>>,
 }
 
-#[derive(Deserialize)]
+#[derive(Debug, Deserialize)]
 pub(super) struct Primitive {
     pub(super) attributes: Attributes,
     pub(super) indices: Option<Whole>,
     pub(super) material: Option<Whole>,
     pub(super) mode: Option<Whole>,
     #[serde(default)]
-    pub(super) targets: List<IgnoredAny>,
+    pub(super) targets: List<Attributes>,
     #[serde(default)]
     pub(super) extensions: PrimitiveExtensions,
 }
 
-#[derive(Deserialize)]
-pub(super) struct Attributes {
-    #[serde(rename = "POSITION")]
-    pub(super) position: Option<Whole>,
-    #[serde(rename = "NORMAL")]
-    pub(super) normal: Option<Whole>,
-    #[serde(rename = "COLOR_0")]
-    pub(super) color: Option<Whole>,
-}
-
-#[derive(Default, Deserialize)]
+#[derive(Debug, Default, Deserialize)]
 pub(super) struct PrimitiveExtensions {
     #[serde(rename = "KHR_draco_mesh_compression")]
-    pub(super) draco: Option<IgnoredAny>,
+    pub(super) draco: Option<Draco>,
+    #[serde(rename = "KHR_materials_variants")]
+    pub(super) variants: Option<VariantMappings>,
 }
 
-#[derive(Deserialize)]
+/// Where a primitive's compressed data are, and which of their attributes has which number.
+#[derive(Debug, Deserialize)]
 #[serde(rename_all = "camelCase")]
-pub(super) struct Material {
+pub(super) struct Draco {
+    pub(super) buffer_view: Whole,
+    #[serde(default)]
+    pub(super) attributes: Attributes,
+}
+
+#[derive(Debug, Deserialize)]
+pub(super) struct VariantMappings {
+    #[serde(default)]
+    pub(super) mappings: List<VariantMapping>,
+}
+
+#[derive(Debug, Deserialize)]
+pub(super) struct VariantMapping {
+    pub(super) material: Whole,
+    #[serde(default)]
+    pub(super) variants: List<Whole>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub(super) struct Camera {
     pub(super) name: Option<String>,
-    #[serde(default)]
-    pub(super) pbr_metallic_roughness: PbrMetallicRoughness,
-    #[serde(default)]
-    pub(super) double_sided: bool,
-    pub(super) alpha_mode: Option<String>,
-    pub(super) alpha_cutoff: Option<f32>,
+    pub(super) perspective: Option<Perspective>,
+    pub(super) orthographic: Option<Orthographic>,
 }
 
-#[derive(Default, Deserialize)]
+#[derive(Debug, Deserialize)]
 #[serde(rename_all = "camelCase")]
-pub(super) struct PbrMetallicRoughness {
-    pub(super) base_color_factor: Option<[f32; 4]>,
+pub(super) struct Perspective {
+    pub(super) yfov: f64,
+    pub(super) aspect_ratio: Option<f64>,
+    pub(super) znear: f64,
+    pub(super) zfar: Option<f64>,
 }
 
-#[derive(Deserialize)]
+#[derive(Debug, Deserialize)]
+pub(super) struct Orthographic {
+    pub(super) xmag: f64,
+    pub(super) ymag: f64,
+    pub(super) znear: f64,
+    pub(super) zfar: f64,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub(super) struct Image {
+    pub(super) name: Option<String>,
+    pub(super) uri: Option<String>,
+    pub(super) buffer_view: Option<Whole>,
+}
+
+#[derive(Debug, Deserialize)]
+pub(super) struct Texture {
+    pub(super) name: Option<String>,
+    pub(super) sampler: Option<Whole>,
+    source: Option<Whole>,
+    #[serde(default)]
+    extensions: TextureExtensions,
+}
+
+#[derive(Debug, Default, Deserialize)]
+struct TextureExtensions {
+    #[serde(rename = "EXT_texture_webp")]
+    webp: Option<TextureSource>,
+}
+
+#[derive(Debug, Deserialize)]
+struct TextureSource {
+    source: Option<Whole>,
+}
+
+impl Texture {
+    /// The image to show: the best of those that can be decoded.
+    pub(super) fn source(&self) -> Option<Whole> {
+        self.extensions.webp.as_ref().and_then(|webp| webp.source).or(self.source)
+    }
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub(super) struct Sampler {
+    pub(super) mag_filter: Option<Whole>,
+    pub(super) min_filter: Option<Whole>,
+    pub(super) wrap_s: Option<Whole>,
+    pub(super) wrap_t: Option<Whole>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub(super) struct Skin {
+    pub(super) inverse_bind_matrices: Option<Whole>,
+    pub(super) joints: List<Whole>,
+}
+
+#[derive(Debug, Deserialize)]
+pub(super) struct Animation {
+    pub(super) name: Option<String>,
+    pub(super) channels: List<AnimationChannel>,
+    pub(super) samplers: List<AnimationSampler>,
+}
+
+#[derive(Debug, Deserialize)]
+pub(super) struct AnimationChannel {
+    pub(super) sampler: Whole,
+    pub(super) target: AnimationTarget,
+}
+
+#[derive(Debug, Deserialize)]
+pub(super) struct AnimationTarget {
+    pub(super) node: Option<Whole>,
+    pub(super) path: String,
+}
+
+#[derive(Debug, Deserialize)]
+pub(super) struct AnimationSampler {
+    pub(super) input: Whole,
+    pub(super) output: Whole,
+    pub(super) interpolation: Option<String>,
+}
+
+#[derive(Debug, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub(super) struct Accessor {
     pub(super) buffer_view: Option<Whole>,
@@ -141,14 +321,14 @@ pub(super) struct Accessor {
     pub(super) sparse: Option<Box<Sparse>>,
 }
 
-#[derive(Deserialize)]
+#[derive(Debug, Deserialize)]
 pub(super) struct Sparse {
     pub(super) count: Whole,
     pub(super) indices: SparseIndices,
     pub(super) values: SparseValues,
 }
 
-#[derive(Deserialize)]
+#[derive(Debug, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub(super) struct SparseIndices {
     pub(super) buffer_view: Whole,
@@ -157,7 +337,7 @@ pub(super) struct SparseIndices {
     pub(super) component_type: Whole,
 }
 
-#[derive(Deserialize)]
+#[derive(Debug, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub(super) struct SparseValues {
     pub(super) buffer_view: Whole,
@@ -165,7 +345,7 @@ pub(super) struct SparseValues {
     pub(super) byte_offset: Whole,
 }
 
-#[derive(Deserialize)]
+#[derive(Debug, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub(super) struct BufferView {
     pub(super) buffer: Whole,
@@ -173,9 +353,40 @@ pub(super) struct BufferView {
     pub(super) byte_offset: Whole,
     pub(super) byte_length: Whole,
     pub(super) byte_stride: Option<Whole>,
+    #[serde(default)]
+    extensions: BufferViewExtensions,
 }
 
-#[derive(Deserialize)]
+#[derive(Debug, Default, Deserialize)]
+struct BufferViewExtensions {
+    #[serde(rename = "EXT_meshopt_compression")]
+    ext_meshopt: Option<Meshopt>,
+    #[serde(rename = "KHR_meshopt_compression")]
+    khr_meshopt: Option<Meshopt>,
+}
+
+/// Where a view's compressed data are, and what they become.
+#[derive(Debug, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub(super) struct Meshopt {
+    pub(super) buffer: Whole,
+    #[serde(default)]
+    pub(super) byte_offset: Whole,
+    pub(super) byte_length: Whole,
+    pub(super) byte_stride: Whole,
+    pub(super) count: Whole,
+    pub(super) mode: String,
+    pub(super) filter: Option<String>,
+}
+
+impl BufferView {
+    /// The compressed data that stand for the view's own.
+    pub(super) fn meshopt(&self) -> Option<&Meshopt> {
+        self.extensions.khr_meshopt.as_ref().or(self.extensions.ext_meshopt.as_ref())
+    }
+}
+
+#[derive(Debug, Deserialize)]
 pub(super) struct Buffer {
     pub(super) uri: Option<String>,
 }
@@ -192,6 +403,11 @@ pub(super) fn parse(json: &[u8]) -> Result<Root, Error> {
         old_version(json).unwrap_or_else(|| as_error(&error))
     })?;
     check_version(&root.asset)?;
+    if let Some(scene) = root.scene
+        && scene.index() >= root.scenes.len()
+    {
+        return Err(Error::gltf(format!("scene {scene}"), "it is the default scene, but does not exist"));
+    }
     Ok(root)
 }
 
@@ -205,7 +421,7 @@ fn check_version(asset: &Asset) -> Result<(), Error> {
 }
 
 fn old_version(json: &[u8]) -> Option<Error> {
-    #[derive(Deserialize)]
+    #[derive(Debug, Deserialize)]
     struct Head {
         asset: Asset,
     }
@@ -218,90 +434,4 @@ fn without_place(error: &serde_json::Error) -> String {
     let message = error.to_string();
     let place = format!(" at line {} column {}", error.line(), error.column());
     message.strip_suffix(&place).unwrap_or(&message).to_owned()
-}
-
-/// A whole number that is not negative: an index, a count, an offset. Some exporters write 3.0 for 3.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) struct Whole(pub(super) u64);
-
-impl Whole {
-    pub(super) fn index(self) -> usize {
-        usize::try_from(self.0).unwrap_or(usize::MAX)
-    }
-}
-
-impl fmt::Display for Whole {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.0.fmt(f)
-    }
-}
-
-impl<'de> Deserialize<'de> for Whole {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        struct WholeVisitor;
-        impl Visitor<'_> for WholeVisitor {
-            type Value = Whole;
-
-            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                f.write_str("a whole number that is not negative")
-            }
-
-            fn visit_u64<E: de::Error>(self, number: u64) -> Result<Whole, E> {
-                Ok(Whole(number))
-            }
-
-            fn visit_f64<E: de::Error>(self, number: f64) -> Result<Whole, E> {
-                let whole = number as u64;
-                if whole as f64 == number {
-                    Ok(Whole(whole))
-                } else {
-                    Err(E::invalid_value(de::Unexpected::Float(number), &self))
-                }
-            }
-        }
-        deserializer.deserialize_any(WholeVisitor)
-    }
-}
-
-/// A list of at most [`Limits::JSON_LIST`] elements.
-pub(super) struct List<T>(Vec<T>);
-
-impl<T> Default for List<T> {
-    fn default() -> Self {
-        Self(Vec::new())
-    }
-}
-
-impl<T> Deref for List<T> {
-    type Target = [T];
-
-    fn deref(&self) -> &[T] {
-        &self.0
-    }
-}
-
-impl<'de, T: Deserialize<'de>> Deserialize<'de> for List<T> {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        struct ListVisitor<T>(PhantomData<T>);
-        impl<'de, T: Deserialize<'de>> Visitor<'de> for ListVisitor<T> {
-            type Value = List<T>;
-
-            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                f.write_str("a list")
-            }
-
-            fn visit_seq<A: SeqAccess<'de>>(self, mut elements: A) -> Result<List<T>, A::Error> {
-                let mut list = Vec::new();
-                while let Some(element) = elements.next_element()? {
-                    if list.len() == Limits::JSON_LIST {
-                        let message = format!("a list of more than {} elements (Limits::JSON_LIST)", Limits::JSON_LIST);
-                        return Err(de::Error::custom(message));
-                    }
-                    list.push(element);
-                }
-                Ok(List(list))
-            }
-        }
-        deserializer.deserialize_seq(ListVisitor(PhantomData))
-    }
 }

@@ -1,5 +1,6 @@
 //! Nodes' transforms, in f64: a vertex is rounded once, when it has its place in the world.
 
+use super::animation::Animated;
 use super::schema::Node;
 use crate::vector::{Vec3, cross, dot};
 
@@ -12,20 +13,44 @@ pub(super) struct Affine {
 impl Affine {
     pub(super) const IDENTITY: Self = Self { rows: [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]] };
 
-    /// A node's own: its matrix, or else translation * rotation * scale.
-    pub(super) fn of_node(node: &Node) -> Self {
-        if let Some(m) = &node.matrix {
-            let row = |r: usize| [m[r], m[4 + r], m[8 + r], m[12 + r]];
-            return Self { rows: [row(0), row(1), row(2)] };
+    /// Nothing: where sums begin.
+    pub(super) const ZERO: Self = Self { rows: [[0.0; 4]; 3] };
+
+    /// A node's own: its matrix, or else translation * rotation * scale; an animation's in place of the node's.
+    pub(super) fn of_node(node: &Node, animated: Option<&Animated>) -> Self {
+        let moves = |a: &&Animated| a.translation.is_some() || a.rotation.is_some() || a.scale.is_some();
+        let animated = animated.filter(moves);
+        if let (Some(columns), None) = (&node.matrix, animated) {
+            return Self::from_columns(columns);
         }
-        let translation = node.translation.unwrap_or([0.0; 3]);
-        let rotation = rotation_rows(node.rotation.unwrap_or([0.0, 0.0, 0.0, 1.0]));
-        let scale = node.scale.unwrap_or([1.0; 3]);
+        let Animated { translation, rotation, scale, .. } = animated.cloned().unwrap_or_default();
+        Self::from_parts(
+            translation.or(node.translation).unwrap_or([0.0; 3]),
+            rotation.or(node.rotation).unwrap_or([0.0, 0.0, 0.0, 1.0]),
+            scale.or(node.scale).unwrap_or([1.0; 3]),
+        )
+    }
+
+    /// From a 4 x 4 matrix, column by column.
+    pub(super) fn from_columns(m: &[f64; 16]) -> Self {
+        let row = |r: usize| [m[r], m[4 + r], m[8 + r], m[12 + r]];
+        Self { rows: [row(0), row(1), row(2)] }
+    }
+
+    /// Translation * rotation * scale; the rotation is a quaternion x, y, z, w.
+    pub(super) fn from_parts(translation: Vec3, rotation: [f64; 4], scale: Vec3) -> Self {
+        let rotation = rotation_rows(rotation);
         let row = |r: usize| {
             let [x, y, z]: Vec3 = std::array::from_fn(|c| rotation[r][c] * scale[c]);
             [x, y, z, translation[r]]
         };
         Self { rows: [row(0), row(1), row(2)] }
+    }
+
+    /// `self + weight * other`, number by number.
+    pub(super) fn plus(&self, weight: f64, other: &Self) -> Self {
+        let entry = |r: usize, c: usize| self.rows[r][c] + weight * other.rows[r][c];
+        Self { rows: std::array::from_fn(|r| std::array::from_fn(|c| entry(r, c))) }
     }
 
     /// `self` after `first`.
@@ -43,6 +68,17 @@ impl Affine {
         self.rows.map(|[x, y, z, t]| x * p[0] + y * p[1] + z * p[2] + t)
     }
 
+    /// A direction with its length: not translated.
+    pub(super) fn vector(&self, v: Vec3) -> Vec3 {
+        self.linear().map(|row| dot(row, v))
+    }
+
+    /// How much longer it makes things, on average over directions: the cube root of what it does to volumes.
+    pub(super) fn mean_scale(&self) -> f64 {
+        let [a, b, c] = self.linear();
+        libm::cbrt(dot(a, cross(b, c)).abs())
+    }
+
     /// Whether it turns left-handed into right-handed, and so front into back.
     pub(super) fn is_mirrored(&self) -> bool {
         let [a, b, c] = self.linear();
@@ -56,8 +92,9 @@ impl Affine {
     pub(super) fn normal_map(&self) -> NormalMap {
         let [a, b, c] = self.linear();
         let rows = [cross(b, c), cross(c, a), cross(a, b)];
-        let sign = if self.is_mirrored() { -1.0 } else { 1.0 };
-        NormalMap { rows: rows.map(|row| row.map(|x| sign * x)) }
+        let is_mirrored = self.is_mirrored();
+        let sign = if is_mirrored { -1.0 } else { 1.0 };
+        NormalMap { rows: rows.map(|row| row.map(|x| sign * x)), is_mirrored }
     }
 
     fn linear(&self) -> [Vec3; 3] {
@@ -68,6 +105,8 @@ impl Affine {
 /// A linear map for normals, up to their length.
 pub(super) struct NormalMap {
     rows: [Vec3; 3],
+    /// Whether the map that it belongs to turns left-handed into right-handed.
+    pub(super) is_mirrored: bool,
 }
 
 impl NormalMap {
@@ -98,7 +137,7 @@ mod tests {
     use crate::vector::{length, normalize, sub};
 
     fn node(json: &str) -> Affine {
-        Affine::of_node(&serde_json::from_str(json).unwrap())
+        Affine::of_node(&serde_json::from_str(json).unwrap(), None)
     }
 
     #[test]

@@ -10,23 +10,24 @@
 //! The condition is taken pair by pair, not along chains of neighbours: so the tip of a cone keeps a normal of its own
 //! for each side, and no sequence of small bends adds up to a smooth right angle.
 //!
-//! Sums run in the order of the triangles, in f64: the same bits everywhere. Corners with the same place, colour and
-//! normal share a vertex.
+//! Sums run in the order of the triangles, in f64: the same bits everywhere. Corners with the same place, colour,
+//! texture coordinates and normal share a vertex.
 //!
 //! All pairs of k corners are k^2; at places with very many corners, faces are first gathered by direction.
 
 use std::collections::HashMap;
 
 use super::weld::Weld;
-use super::{ANY, corners, face_normal, rounded};
+use super::{ANY, Rebuilt, corners, face_normal, rounded};
 use crate::vector::{Vec3, add, cross, dot, length, normalize, scale, sub};
-use crate::{Normals, Object, Vertex};
+use crate::{Normals, Object};
 
 /// Gives the object normals averaged over the faces around each place, except across creases: where two faces' normals
 /// differ by more than `crease_degrees`, each side keeps its own and the vertices are split.
 ///
 /// 0 makes every bend sharp, 180 none; 30 to 40 suits most models. Vertices at exactly the same place count as one,
-/// whether or not the file shares them. Triangles keep their number, corners and colours.
+/// whether or not the file shares them. Triangles keep their number, corners, colours and texture coordinates; tangents are
+/// left out. Lines and points keep the normals that they have.
 pub fn smooth_normals(object: &mut Object, crease_degrees: f64) {
     // Tiny allowance: faces that a file's rounding has tilted by less are one plane, also for a crease of 0.
     let cos_crease = libm::cos(crease_degrees.clamp(0.0, 180.0).to_radians()) - 1e-9;
@@ -149,12 +150,12 @@ impl<'a> Directions<'a> {
     }
 }
 
-/// Makes one vertex of all corners with the same place, colour and normal.
+/// Makes one vertex of all corners with the same place, colour, texture coordinates and normal.
 fn share_vertices(object: &mut Object, weld: &Weld, normals: &[[f32; 3]]) {
     const NONE: u32 = u32::MAX;
     /// Not sharing a vertex is right, too, so a place with thousands of different normals need not take for ever.
     const LONGEST_SEARCH: u32 = 12;
-    let mut vertices: Vec<Vertex> = Vec::with_capacity(object.vertices.len());
+    let mut rebuilt = Rebuilt::new(object);
     // The vertices made for each place, as a list from the newest on. Lists are short: their number is the number of
     // different normals and colours at one place, and the newest is nearly always the one that is wanted.
     let mut newest = vec![NONE; weld.places];
@@ -162,27 +163,29 @@ fn share_vertices(object: &mut Object, weld: &Weld, normals: &[[f32; 3]]) {
     let mut triangles = object.triangles.clone();
     for (corner, v) in triangles.iter_mut().flatten().enumerate() {
         let place = weld.place[*v as usize] as usize;
-        let vertex = Vertex { normal: normals[corner], ..object.vertices[*v as usize] };
         let mut found = newest[place];
         let mut steps = 0;
-        while found != NONE && !same(&vertices[found as usize], &vertex) {
+        while found != NONE && !rebuilt.is_same(found as usize, object, *v as usize, normals[corner]) {
             steps += 1;
             found = if steps < LONGEST_SEARCH { older[found as usize] } else { NONE };
         }
         if found == NONE {
-            found = vertices.len() as u32;
+            found = rebuilt.push(object, *v, normals[corner]);
             older.push(newest[place]);
-            vertices.push(vertex);
             newest[place] = found;
         }
         *v = found;
     }
-    object.vertices = vertices;
-    object.triangles = triangles;
-    object.normals = Normals::Smooth;
+    rebuilt.replace(object, triangles, Normals::Smooth);
 }
 
-/// Same normal and colour, bit for bit; the place is known to be the same.
-fn same(a: &Vertex, b: &Vertex) -> bool {
-    a.normal.map(f32::to_bits) == b.normal.map(f32::to_bits) && a.color.map(f32::to_bits) == b.color.map(f32::to_bits)
+impl Rebuilt {
+    /// Whether the new vertex `at` is the object's vertex `v` with this normal, bit for bit; the place is known to be
+    /// the same.
+    fn is_same(&self, at: usize, object: &Object, v: usize, normal: [f32; 3]) -> bool {
+        let (a, b) = (&self.vertices[at], &object.vertices[v]);
+        a.normal.map(f32::to_bits) == normal.map(f32::to_bits)
+            && a.color.map(f32::to_bits) == b.color.map(f32::to_bits)
+            && self.uvs.iter().zip(&object.uvs).all(|(a, b)| a[at].map(f32::to_bits) == b[v].map(f32::to_bits))
+    }
 }

@@ -16,7 +16,7 @@
 use crate::limits::Budget;
 use crate::polygon::{self, Polygons};
 use crate::text::{Syntax, Text, float32, shown};
-use crate::{Error, Format, Loaded, Material, Normals, Object, Scene, Vertex};
+use crate::{Error, Format, Loaded, Material, Object, Scene, Vertex};
 
 pub(super) fn read(bytes: &[u8], budget: &mut Budget) -> Result<Loaded, Error> {
     let mut reader = Reader { text: Text::new(bytes, Syntax::Plain), solids: Vec::new(), facet: Vec::new() };
@@ -35,10 +35,10 @@ pub(super) fn read(bytes: &[u8], budget: &mut Budget) -> Result<Loaded, Error> {
         let (triangles, fans) = facets.triangulate(|i: u32| positions[i as usize], budget)?;
         gave_up += fans;
         let vertices = positions.into_iter().map(Vertex::at).collect();
-        objects.push(Object { name: name.into(), vertices, triangles, material: 0, normals: Normals::Absent });
+        objects.push(Object { name: name.into(), vertices, triangles, ..Object::default() });
     }
     polygon::notes(too_small, gave_up, &mut notes);
-    Ok(Loaded { scene: Scene { objects, materials: vec![Material::default()] }, notes })
+    Ok(Loaded { scene: Scene { objects, materials: vec![Material::default()], ..Scene::default() }, notes })
 }
 
 /// A word in lower case, in `buffer`; nothing if it is longer than any keyword.

@@ -59,8 +59,9 @@ pub(super) fn read(bytes: &[u8], budget: &mut Budget) -> Result<Loaded, Error> {
     }
     let triangles = (0..count as u32).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
     let name = "".into();
-    let objects = vec![Object { name, vertices, triangles, material: 0, normals: Normals::Absent }];
-    Ok(Loaded { scene: Scene { objects, materials: vec![Material::default()] }, notes })
+    let objects =
+        vec![Object { name, vertices, triangles, material: 0, normals: Normals::Absent, ..Object::default() }];
+    Ok(Loaded { scene: Scene { objects, materials: vec![Material::default()], ..Scene::default() }, notes })
 }
 
 fn attribute(facet: &[u8]) -> u16 {

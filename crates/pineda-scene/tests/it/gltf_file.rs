@@ -68,6 +68,7 @@ impl File {
     pub(crate) fn floats(&mut self, kind: &str, numbers: &[f32]) -> usize {
         let channels = match kind {
             "SCALAR" => 1,
+            "MAT4" => 16,
             _ => kind[3..].parse().unwrap(),
         };
         let bytes: Vec<u8> = numbers.iter().flat_map(|n| n.to_le_bytes()).collect();

@@ -4,7 +4,11 @@
 mod damaged;
 mod gltf;
 mod gltf_errors;
+mod gltf_extensions;
 mod gltf_file;
+mod gltf_materials;
+mod gltf_pose;
+mod images;
 mod models;
 mod normals;
 mod obj;

@@ -110,7 +110,7 @@ fn stl_errors() {
     let fails = |bytes: &[u8], says: &[&str]| crate::fails(Format::Stl, bytes, says);
     fails(b"", &["STL, byte 0", "ends here"]);
     fails(&binary(b"", &[])[..83], &["byte 83"]);
-    fails(&binary(b"", &[]), &["no triangles"]);
+    fails(&binary(b"", &[]), &["nothing to draw"]);
     fails(&binary(b"", &[0, 0])[..150], &["byte 80", "2 facets", "bytes for 1"]);
     let mut huge = binary(b"", &[0]);
     huge[80..84].fill(0xff);
@@ -118,9 +118,9 @@ fn stl_errors() {
     fails(ascii("a").replace("vertex 1 0 0", "vertex 1 0").as_bytes(), &["STL, line 6", "three numbers", "'vertex'"]);
     fails(b"solid a\nfacet normal 0 0 1\nouter loop\nvertex 1 2", &["the end of the file"]);
     fails(b"solid a\nhello", &["line 2", "'hello'", "expected solid"]);
-    fails(b"solid a\nendsolid a\n", &["no triangles"]);
+    fails(b"solid a\nendsolid a\n", &["nothing to draw"]);
     fails(
         b"solid a\nfacet\nouter loop\nvertex 1 2 3\nendloop\nendfacet",
-        &["no triangles", "1 face with fewer than three corners"],
+        &["nothing to draw", "1 face with fewer than three corners"],
     );
 }
