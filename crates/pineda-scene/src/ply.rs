@@ -157,7 +157,6 @@ impl Body {
 }
 
 /// Makes a vertex of each pair of vertex and texture coordinates that a corner has, in the order of the corners.
-#[expect(clippy::type_complexity, reason = "vertices and their texture coordinates")]
 fn split(
     vertices: &[Vertex],
     corners: &mut [u32],
