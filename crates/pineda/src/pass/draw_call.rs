@@ -12,7 +12,7 @@ use crate::shading::{
     __Layout as Layout, Closure, ClosureFragment, ClosureKind, FragmentKind, Interpolation, MAX_CLIP_DISTANCES, Native,
     OutputLayout, Outputs, Shader, StageUses, Varyings, native,
 };
-use crate::wide::{Simd, dispatch};
+use crate::wide::{Simd, dispatch_shader};
 use fearless_simd::Level;
 use std::borrow::Borrow;
 
@@ -152,11 +152,11 @@ impl<Sh: Shader, G: Input<In = Sh::Vertex>> DrawCall for ShaderDraw<'_, Sh, G> {
     }
 
     fn run_vertices(&self, level: Level, job: VertexJob<'_>) {
-        dispatch!(level, s => run_vertices(s, self.shader, &self.input, job));
+        dispatch_shader!(level, s => run_vertices(s, self.shader, &self.input, job));
     }
 
     fn run_fragments(&self, level: Level, batch: &mut PacketBatch) {
-        dispatch!(level, s => batch.run(s, self.shader));
+        dispatch_shader!(level, s => batch.run(s, self.shader));
     }
 }
 
@@ -231,7 +231,7 @@ where
     }
 
     fn run_vertices(&self, level: Level, job: VertexJob<'_>) {
-        dispatch!(level, s => run_vertices::<_, G, T, _>(s, &VertexClosure(&self.vertex), &self.input, job));
+        dispatch_shader!(level, s => run_vertices::<_, G, T, _>(s, &VertexClosure(&self.vertex), &self.input, job));
     }
 
     fn run_fragments(&self, _: Level, batch: &mut PacketBatch) {
