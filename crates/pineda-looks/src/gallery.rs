@@ -141,18 +141,36 @@ impl Map<'_> {
     /// Where in the texture a place on a surface is looked up.
     #[inline(always)]
     pub fn coordinates<L: Lanes>(&self, uvs: [Vec2<Dual<L>>; UV_SETS]) -> Vec2<Dual<L>> {
-        let [first, second] = uvs;
-        let uv = if self.uv_set == 0 { first } else { second };
+        self.transformed(self.chosen(uvs))
+    }
+
+    /// The texture's numbers, in linear light, at a place on a surface.
+    #[inline(always)]
+    pub fn sample<L: Lanes>(&self, uvs: [Vec2<Dual<L>>; UV_SETS]) -> Rgba<L> {
+        let uv = self.chosen(uvs);
+        // Shaders look up many maps: compiled once, not once for each.
+        uv.value().lanes().apart(
+            #[inline(always)]
+            || self.sample_here(uv),
+        )
+    }
+
+    #[inline(always)]
+    fn chosen<L: Lanes>(&self, [first, second]: [Vec2<Dual<L>>; UV_SETS]) -> Vec2<Dual<L>> {
+        if self.uv_set == 0 { first } else { second }
+    }
+
+    #[inline(always)]
+    fn transformed<L: Lanes>(&self, uv: Vec2<Dual<L>>) -> Vec2<Dual<L>> {
         match self.transform {
             Some([[a, b, c], [d, e, f]]) => Vec2::new(uv.x * a + uv.y * b + c, uv.x * d + uv.y * e + f),
             None => uv,
         }
     }
 
-    /// The texture's numbers, in linear light, at a place on a surface.
     #[inline(always)]
-    pub fn sample<L: Lanes>(&self, uvs: [Vec2<Dual<L>>; UV_SETS]) -> Rgba<L> {
-        let uv = self.coordinates(uvs);
+    fn sample_here<L: Lanes>(&self, uv: Vec2<Dual<L>>) -> Rgba<L> {
+        let uv = self.transformed(uv);
         match &*self.picture {
             Picture::Linear8(texture) => texture.sample(&self.sampler, uv),
             Picture::Srgb8(texture) => texture.sample(&self.sampler, uv),

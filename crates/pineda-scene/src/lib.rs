@@ -1,5 +1,5 @@
-//! Models in, no pixels: OBJ, STL, PLY and the geometry of glTF 2.0 become one [`Scene`] that a renderer draws as it
-//! is, together with the camera that shows all of it.
+//! Models in, no pixels: OBJ, STL, PLY and glTF 2.0 become one [`Scene`] that a renderer draws as it is, together with
+//! the camera that shows all of it.
 //!
 //! ```
 //! use pineda_scene::{Bounds, Format, Framing, Limits, NoFiles, Normals, View, load_bytes, smooth_normals};
@@ -23,15 +23,29 @@
 //! ```
 //!
 //! - [`load`] reads a file, [`load_with`] with limits of your own, [`load_bytes`] reads bytes: no file system needed.
-//!   What a reader leaves out (textures, lines, a missing material library) is a line each in [`Loaded::notes`].
-//! - A [`Scene`] is a list of [`Object`]s (vertices in world space, triangles, one material each) and of [`Material`]s.
-//!   World space is right-handed with y up, as in glTF; the other formats do not say which way is up and are taken as
-//!   they are.
-//! - Colours are linear light. Vertex colours of OBJ, STL and PLY files and `Kd` of MTL files are taken for sRGB and
-//!   decoded; glTF's are linear already.
+//!   What a reader leaves out (a missing image or material library, an extension that it does not know) is a line each in
+//!   [`Loaded::notes`].
+//! - A [`Model`] is read once and shown in any [`Pose`]: another scene of the file, an animation at a time, a material
+//!   variant. [`Model::contents`] says what there is. Images are decoded when a pose first shows them, and shared.
+//! - A [`Scene`] is a list of [`Object`]s (vertices in world space, triangles, lines and points, one material each), of
+//!   [`Material`]s in glTF's terms, of the [`Texture`]s and [`Image`]s that they look up, and of the file's own
+//!   [`Camera`]s and [`Light`]s. World space is right-handed with y up, as in glTF; the other formats do not say which way
+//!   is up and are taken as they are.
+//! - Colours are linear light. Vertex colours of OBJ, STL and PLY files and colours of MTL files are taken for sRGB and
+//!   decoded; glTF's are linear already. Images stay as they are stored: each use in [`Material`] says what they mean.
 //! - [`flat_normals`] and [`smooth_normals`] make normals where a file has none.
 //! - [`Bounds`], [`View`] and [`Framing`] put the whole of a scene into the picture.
 //! - [`demo`] is a scene built in code.
+//!
+//! | format | what is read |
+//! | --- | --- |
+//! | glTF 2.0, .gltf and .glb | the core whole: accessors of every kind, all primitive modes, node hierarchies, scenes, cameras, skins of 4 and 8 influences, morph targets, animations, samplers, PNG, JPEG and WebP images. KHR_draco_mesh_compression, KHR_lights_punctual, KHR_materials_anisotropy, clearcoat, emissive_strength, ior, iridescence, pbrSpecularGlossiness, sheen, specular, transmission, unlit, variants and volume, KHR_mesh_quantization, KHR_meshopt_compression and its older EXT_ form, KHR_texture_transform, EXT_mesh_gpu_instancing, EXT_texture_webp. Others: an error if the file requires them, a line if it uses them |
+//! | OBJ | polygons of any size, groups, texture coordinates, normals, vertex colours, lines, points; MTL with its images |
+//! | PLY | ASCII and binary of both byte orders, polygons, strips, clouds of points, normals, colours, texture coordinates of vertices and of faces' corners |
+//! | STL | ASCII and binary, several solids, colours of VisCAM and Magics |
+//!
+//! 3MF is not read: the crates that read it (`lib3mf`, `lib3mf-core`, `threemf2`) inflate a file's parts into memory
+//! however large they become. KHR_texture_basisu is not: there is no decoder yet that is Rust alone and kept well.
 //!
 //! Files are not trusted. A damaged or hostile one gives an [`Error`] that says what is wrong, where, and what to do;
 //! never a panic. Memory and time are bounded by [`Limits`], and every count in a file is checked against the bytes

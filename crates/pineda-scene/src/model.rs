@@ -105,7 +105,7 @@ impl Model {
         let still = match format {
             Format::Obj => obj::read(&bytes, files, &mut budget)?,
             Format::Stl => stl::read(&bytes, &mut budget)?,
-            Format::Ply => ply::read(&bytes, &mut budget)?,
+            Format::Ply => ply::read(&bytes, files, &mut budget)?,
             Format::Gltf => {
                 let document = gltf::Document::read(bytes, files, budget)?;
                 let contents = document.contents();

@@ -4,6 +4,7 @@
 //! in which only some vertices have colours, and its errors do not name a line.
 
 mod build;
+mod maps;
 mod mtl;
 mod parse;
 
@@ -29,7 +30,7 @@ pub(crate) fn read(bytes: &[u8], files: &dyn Resolver, budget: &mut Budget) -> R
             }
         }
     }
-    build::build(file, library, notes, budget)
+    build::build(file, library, notes, files, budget)
 }
 
 fn read_library(name: &str, files: &dyn Resolver, budget: &mut Budget) -> Result<Vec<u8>, String> {

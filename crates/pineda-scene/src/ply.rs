@@ -10,29 +10,35 @@ mod header;
 mod source;
 mod vertices;
 
+use std::collections::HashMap;
+
+use crate::image::{Encoded, ImageStore, read_file};
 use crate::limits::Budget;
 use crate::polygon::{self, Polygons};
-use crate::{Error, Format, Loaded, Material, Normals, Object, Scene, Vertex, note};
+use crate::resolver::path_inside;
+use crate::{Error, Format, Loaded, Material, Normals, Object, Resolver, Sampler, Scene, Texture, TextureRef, Vertex};
 use header::{Element, Encoding, Header};
 use source::{Ascii, Binary, Source};
+use vertices::Vertices;
 
-/// Reads a PLY file.
-pub(crate) fn read(bytes: &[u8], budget: &mut Budget) -> Result<Loaded, Error> {
+/// Reads a PLY file, and the image that it names.
+pub(crate) fn read(bytes: &[u8], files: &dyn Resolver, budget: &mut Budget) -> Result<Loaded, Error> {
     let header = header::parse(bytes)?;
     let body = match header.encoding {
         Encoding::Ascii => Body::read(&header, Ascii::new(bytes, &header), budget)?,
         Encoding::BinaryLittleEndian => Body::read(&header, Binary::<false>::new(bytes, &header), budget)?,
         Encoding::BinaryBigEndian => Body::read(&header, Binary::<true>::new(bytes, &header), budget)?,
     };
-    body.build(header, budget)
+    body.build(header, files, budget)
 }
 
 /// What the file's elements hold.
 #[derive(Default)]
 struct Body {
-    vertices: Vec<Vertex>,
-    has_normals: bool,
+    vertices: Vertices,
     faces: Polygons<u32>,
+    /// For each of the faces' corners its texture coordinates, as MeshLab writes them; or empty. v goes down.
+    wedges: Vec<[f32; 2]>,
 }
 
 impl Body {
@@ -41,8 +47,8 @@ impl Body {
         for element in &header.elements {
             source.check_count(element)?;
             match element.name.as_str() {
-                "vertex" if body.vertices.is_empty() => {
-                    (body.vertices, body.has_normals) = vertices::read(element, &mut source, budget)?;
+                "vertex" if body.vertices.vertices.is_empty() => {
+                    body.vertices = vertices::read(element, &mut source, budget)?;
                 }
                 "face" => body.read_faces(element, &["vertex_indices", "vertex_index"], &mut source)?,
                 "tristrips" => body.read_faces(element, &["vertex_indices"], &mut source)?,
@@ -64,18 +70,29 @@ impl Body {
             // At least one byte each is there, as has been checked.
             self.faces.reserve(element.count as usize);
         }
+        let wedges = element.properties.iter().position(|p| p.name == "texcoord" && p.count.is_some() && !is_strips);
         let mut list: Vec<i64> = Vec::new();
+        let mut uvs: Vec<f32> = Vec::new();
         for row in 0..element.count {
             for (number, property) in element.properties.iter().enumerate() {
                 let count = source.list_count(property)?;
-                if Some(number) != indices {
+                if Some(number) == indices {
+                    list.clear();
+                    for _ in 0..count {
+                        list.push(source.integer(property.kind)?);
+                    }
+                } else if Some(number) == wedges {
+                    uvs.clear();
+                    for _ in 0..count {
+                        uvs.push(source.number(property.kind)? as f32);
+                    }
+                } else {
                     source.skip(property.kind, count)?;
-                    continue;
                 }
-                list.clear();
-                for _ in 0..count {
-                    list.push(source.integer(property.kind)?);
-                }
+            }
+            if wedges.is_some() && list.len() >= 3 {
+                let pairs = uvs.as_chunks().0.iter().map(|&[u, v]| [u, 1.0 - v]);
+                self.wedges.extend(pairs.chain(std::iter::repeat([0.0; 2])).take(list.len()));
             }
             if is_strips {
                 list.split(|&i| i == -1).try_for_each(|strip| self.push_strip(strip))
@@ -107,28 +124,73 @@ impl Body {
         Ok(())
     }
 
-    fn build(self, header: Header, budget: &mut Budget) -> Result<Loaded, Error> {
-        let Self { vertices, has_normals, faces } = self;
+    fn build(self, header: Header, files: &dyn Resolver, budget: &mut Budget) -> Result<Loaded, Error> {
+        let Self { vertices: Vertices { mut vertices, has_normals, mut uvs }, mut faces, wedges } = self;
         let mut notes = Vec::new();
         if let Some(at) = faces.corners().iter().position(|&i| i as usize >= vertices.len()) {
             let (face, index, count) = (faces.polygon_of_corner(at), faces.corners()[at], vertices.len());
             let message = format!("face {face} (from 0) names vertex {index}, but the file has {count} vertices");
             return Err(Error::text(Format::Ply, header.line_of("face"), message));
         }
+        if uvs.is_empty() && !wedges.is_empty() && wedges.len() == faces.corners().len() {
+            (vertices, uvs) = split(&vertices, faces.corners_mut(), &wedges, budget)?;
+        }
         let (triangles, gave_up) = faces.triangulate(|i| vertices[i as usize].position, budget)?;
         polygon::notes(faces.too_small, gave_up, &mut notes);
-        if triangles.is_empty() && !vertices.is_empty() {
-            notes.push(format!("points are not drawn: {}", note::counted(vertices.len(), "vertex", "vertices")));
-        }
-        notes.extend(note::textures(header.textures));
-        if header.has_face_colors() {
+        // A scan without faces is a cloud of points.
+        let is_cloud = triangles.is_empty() && faces.too_small == 0;
+        let points = if is_cloud { (0..vertices.len() as u32).collect() } else { Vec::new() };
+        budget.triangles(points.len() as u64)?;
+        if header.faces_have("red") {
             notes.push("colours of faces ignored: only vertices' are drawn".to_owned());
         }
+        let mut scene = Scene { materials: vec![Material::default()], ..Scene::default() };
+        if let Some(name) = header.textures.first().filter(|_| !uvs.is_empty()) {
+            texture(name, &mut scene, files, budget).unwrap_or_else(|line| notes.push(line));
+        }
+        let uvs = if uvs.is_empty() { Vec::new() } else { vec![uvs] };
         let normals = if has_normals { Normals::Given } else { Normals::Absent };
         budget.objects(1)?;
-        let objects = vec![Object { vertices, triangles, normals, ..Object::default() }];
-        Ok(Loaded { scene: Scene { objects, materials: vec![Material::default()], ..Scene::default() }, notes })
+        scene.objects.push(Object { vertices, uvs, triangles, points, normals, ..Object::default() });
+        Ok(Loaded { scene, notes })
     }
+}
+
+/// Makes a vertex of each pair of vertex and texture coordinates that a corner has, in the order of the corners.
+fn split(
+    vertices: &[Vertex],
+    corners: &mut [u32],
+    wedges: &[[f32; 2]],
+    budget: &mut Budget,
+) -> Result<(Vec<Vertex>, Vec<[f32; 2]>), Error> {
+    let mut numbers = HashMap::new();
+    let (mut split, mut uvs) = (Vec::with_capacity(vertices.len()), Vec::with_capacity(vertices.len()));
+    for (corner, &uv) in corners.iter_mut().zip(wedges) {
+        let next = split.len() as u32;
+        let number = *numbers.entry((*corner, uv.map(f32::to_bits))).or_insert(next);
+        if number == next {
+            budget.vertices(1)?;
+            split.push(vertices[*corner as usize]);
+            uvs.push(uv);
+        }
+        *corner = number;
+    }
+    Ok((split, uvs))
+}
+
+/// Gives the only material an image; the error is a line.
+fn texture(name: &str, scene: &mut Scene, files: &dyn Resolver, budget: &mut Budget) -> Result<(), String> {
+    let encoded = match path_inside(name) {
+        Some(path) => read_file(&path, files, budget).map_or_else(Encoded::Missing, Encoded::Bytes),
+        None => Encoded::Missing("is outside the model's folder, so it is not read".to_owned()),
+    };
+    let store = ImageStore::new(vec![(name.into(), encoded)], budget.limits());
+    for image in store.get(&[0], |_| Err(String::new())) {
+        scene.images.push(image?);
+        scene.textures.push(Texture { name: "".into(), image: 0, sampler: Sampler::default() });
+        scene.materials[0].base_color_texture = Some(TextureRef::new(0));
+    }
+    Ok(())
 }
 
 fn skip<S: Source>(element: &Element, source: &mut S) -> Result<(), Error> {

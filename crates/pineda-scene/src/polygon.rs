@@ -50,6 +50,10 @@ impl<C: Copy> Polygons<C> {
         &self.corners
     }
 
+    pub(crate) fn corners_mut(&mut self) -> &mut [C] {
+        &mut self.corners
+    }
+
     pub(crate) fn is_empty(&self) -> bool {
         self.sizes.is_empty()
     }

@@ -1,6 +1,7 @@
 //! Words of text formats (OBJ, MTL, PLY, ASCII STL), straight from the bytes: files need not be UTF-8.
 
 /// A cursor over words and lines. A line ends with LF, CR LF or CR; words are separated by any other ASCII white space.
+#[derive(Clone)]
 pub(crate) struct Text<'a> {
     bytes: &'a [u8],
     at: usize,

@@ -187,6 +187,14 @@ pub enum Error {
         /// What it holds.
         holds: OutputKind,
     },
+    /// A fragment stage asks which sample it shades, and is run once for all samples of a pixel.
+    #[error(
+        "draw {draw}: the fragment stage reads f.sample_index(), but is run once a pixel; set `sampling: Sampling::Sample`"
+    )]
+    SampleIndex {
+        /// The draw's number in its pass, from 0.
+        draw: usize,
+    },
     /// The SIMD level was named, and this CPU or build does not have it.
     #[error("this machine has no {asked}; it has {}", list(.available))]
     SimdUnavailable {

@@ -13,12 +13,18 @@ mod depth_prepass;
 #[allow(dead_code, unreachable_pub, reason = "an example's main and file writing are not run here")]
 mod environment;
 mod gallery;
+#[path = "../examples/impostors.rs"]
+#[allow(dead_code, unreachable_pub, reason = "an example's main and file writing are not run here")]
+mod impostors;
 #[path = "../examples/normal_mapping.rs"]
 #[allow(dead_code, unreachable_pub, reason = "an example's main and file writing are not run here")]
 mod normal_mapping;
 #[path = "../examples/order_dependent_transparency.rs"]
 #[allow(dead_code, unreachable_pub, reason = "an example's main and file writing are not run here")]
 mod order_dependent_transparency;
+#[path = "../examples/parallax.rs"]
+#[allow(dead_code, unreachable_pub, reason = "an example's main and file writing are not run here")]
+mod parallax;
 #[path = "../examples/post_process.rs"]
 #[allow(dead_code, unreachable_pub, reason = "an example's main and file writing are not run here")]
 mod post_process;
@@ -43,6 +49,9 @@ mod stencil_outline;
 #[path = "../examples/visibility_buffer.rs"]
 #[allow(dead_code, unreachable_pub, reason = "an example's main and file writing are not run here")]
 mod visibility_buffer;
+#[path = "../examples/warp.rs"]
+#[allow(dead_code, unreachable_pub, reason = "an example's main and file writing are not run here")]
+mod warp;
 
 use pineda::{Error, Settings, Simd, TileSize};
 
@@ -82,6 +91,21 @@ fn depth_prepass_picture() {
 #[test]
 fn environment_picture() {
     check(environment::draw, 0x3804_cc29_6519_1d6d);
+}
+
+#[test]
+fn impostors_picture() {
+    check(impostors::draw, 0x0e34_f44f_cb35_5ad2);
+}
+
+#[test]
+fn parallax_picture() {
+    check(parallax::draw, 0x102b_7195_708b_dde1);
+}
+
+#[test]
+fn warp_picture() {
+    check(warp::draw, 0xbb3c_6b18_67e8_5d11);
 }
 
 #[test]
@@ -128,7 +152,9 @@ fn gallery_of_features() {
         &order_dependent_transparency::draw(Settings::default()).expect("it draws"),
     );
     gallery::check("environment", &environment::draw(Settings::default()).expect("it draws"));
+    gallery::check("impostors", &impostors::draw(Settings::default()).expect("it draws"));
     gallery::check("normal_mapping", &normal_mapping::draw(Settings::default()).expect("it draws"));
+    gallery::check("parallax", &parallax::draw(Settings::default()).expect("it draws"));
     gallery::check("post_process", &post_process::draw(Settings::default()).expect("it draws"));
     gallery::check("procedural", &procedural::draw(Settings::default()).expect("it draws"));
     gallery::check("shadow_map", &shadow_map::draw(Settings::default()).expect("it draws"));
@@ -137,6 +163,7 @@ fn gallery_of_features() {
     gallery::check("sorted_transparency", &sorted_transparency::draw(Settings::default()).expect("it draws"));
     gallery::check("stencil_outline", &stencil_outline::draw(Settings::default()).expect("it draws"));
     gallery::check("visibility_buffer", &visibility_buffer::draw(Settings::default()).expect("it draws"));
+    gallery::check("warp", &warp::draw(Settings::default()).expect("it draws"));
 }
 
 #[test]

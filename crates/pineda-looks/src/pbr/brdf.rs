@@ -66,22 +66,27 @@ pub(super) fn thin_film<L: Lanes>(cosine: Real<L>, ior: f32, thickness: Real<L>,
     let r12 = r0 + (1.0 - r0) * (1.0 - cosine).powi(5);
     let t121 = 1.0 - r12;
     let channel = |f0: Real<L>, frequency: f32| {
-        // The index of refraction that the base's reflectance says.
-        let root = f0.clamp(0.0, 0.9999).sqrt();
-        let base = (1.0 + root) / (1.0 - root);
-        let r1 = ((base - ior) / (base + ior)).squared();
-        let r23 = r1 + (1.0 - r1) * (1.0 - inside).powi(5);
-        // What is reflected at the denser side has its phase turned.
-        let turned = base.lt(ior).select(Real::new(lanes, 0.5), 0.0) + 0.5;
-        let turns = 2.0 * ior * thickness * inside * frequency + turned;
-        let both = (r12 * r23).clamp(1e-5, 0.9999);
-        let root = both.sqrt();
-        let series = t121 * t121 * r23 / (1.0 - both);
-        let first = (turns * std::f32::consts::TAU).cos();
-        let second = (turns * (2.0 * std::f32::consts::TAU)).cos();
-        // Two terms of the series; a colour's band is wide, so that later ones cancel.
-        let fringes = root * first * 1.4 + both * second * 0.6;
-        (r12 + series + (series - t121) * fringes).max(0.0)
+        lanes.apart(
+            #[inline(always)]
+            || {
+                // The index of refraction that the base's reflectance says.
+                let root = f0.clamp(0.0, 0.9999).sqrt();
+                let base = (1.0 + root) / (1.0 - root);
+                let r1 = ((base - ior) / (base + ior)).squared();
+                let r23 = r1 + (1.0 - r1) * (1.0 - inside).powi(5);
+                // What is reflected at the denser side has its phase turned.
+                let turned = base.lt(ior).select(Real::new(lanes, 0.5), 0.0) + 0.5;
+                let turns = 2.0 * ior * thickness * inside * frequency + turned;
+                let both = (r12 * r23).clamp(1e-5, 0.9999);
+                let root = both.sqrt();
+                let series = t121 * t121 * r23 / (1.0 - both);
+                let first = (turns * std::f32::consts::TAU).cos();
+                let second = (turns * (2.0 * std::f32::consts::TAU)).cos();
+                // Two terms of the series; a colour's band is wide, so that later ones cancel.
+                let fringes = root * first * 1.4 + both * second * 0.6;
+                (r12 + series + (series - t121) * fringes).max(0.0)
+            },
+        )
     };
     // One over the middle wavelengths of red, green and blue, in nanometres.
     Vec3::new(channel(f0.x, 1.0 / 611.0), channel(f0.y, 1.0 / 549.0), channel(f0.z, 1.0 / 464.0))

@@ -6,11 +6,11 @@
 //!
 //! The filtering is drawn, with this very library.
 
-use super::cube::{self, Corner};
+use super::paint::{self, Paint};
 use super::studio::Studio;
 use pineda::{
-    Error, Fragment, Lanes, Real, Renderer, Rgba, Rgba16F, Rgba32F, Sampler, Shader, Texture2d, TextureCube, Vec2,
-    Vec3, Vec4, Wrap, f16_to_f32, shader,
+    Error, Lanes, Real, Renderer, Rgba, Rgba16F, Sampler, Texture2d, TextureCube, Vec2, Vec3, Wrap, f16_to_f32,
+    f32_to_f16, shader,
 };
 use std::f32::consts::{FRAC_1_PI, PI};
 
@@ -36,21 +36,24 @@ impl Environment {
     ///
     /// Errors: no memory.
     pub fn studio(renderer: &mut Renderer) -> Result<Self, Error> {
-        let scattered = harmonics(&cube::draw(&Studio { first: 1 }, 16, renderer)?, 16);
-        Self::new(cube::draw(&Studio { first: 0 }, SIZE, renderer)?, scattered, true, renderer)
+        let scattered = harmonics(&paint::faces(&Paint::Studio(Studio { first: 1 }), 16, renderer)?, 16);
+        Self::new(paint::faces(&Paint::Studio(Studio { first: 0 }), SIZE, renderer)?, scattered, true, renderer)
     }
 
     /// A panorama: an image, in linear light, of all directions, that of -z in the middle, those of +y along its first row and of -y along its last (as in .hdr and .exr files of environments).
     ///
     /// Errors: sizes that textures cannot have, or another number of pixels; no memory.
-    pub fn panorama(width: u32, height: u32, pixels: Vec<[f32; 4]>, renderer: &mut Renderer) -> Result<Self, Error> {
-        let picture = Texture2d::<Rgba32F>::new(width, height, pixels)?.with_mips()?;
+    pub fn panorama(width: u32, height: u32, pixels: &[[f32; 3]], renderer: &mut Renderer) -> Result<Self, Error> {
+        // Halves end at 65504, and what no light is gives none.
+        let half = |x: f32| f32_to_f16(if x > 0.0 { if x < 65504.0 { x } else { 65504.0 } } else { 0.0 });
+        let halves: Vec<[u16; 4]> = pixels.iter().map(|&[r, g, b]| [half(r), half(g), half(b), half(1.0)]).collect();
+        let picture = Texture2d::<Rgba16F>::new(width, height, halves)?.with_mips()?;
         // A texel of a face is as wide as this many of the panorama's, or level 0 is finer than that.
         let level = (width as f32 / (4 * SIZE) as f32).max(1.0);
+        let small = Panorama { picture: picture.clone(), level: libm::log2f((width as f32 / 64.0).max(1.0)) };
+        let scattered = harmonics(&paint::faces(&Paint::Panorama(small), 16, renderer)?, 16);
         let panorama = Panorama { picture, level: libm::log2f(level) };
-        let faces = cube::draw(&panorama, SIZE, renderer)?;
-        let small = Panorama { level: libm::log2f((width as f32 / 64.0).max(1.0)), ..panorama };
-        let scattered = harmonics(&cube::draw(&small, 16, renderer)?, 16);
+        let faces = paint::faces(&Paint::Panorama(panorama), SIZE, renderer)?;
         Self::new(faces, scattered, false, renderer)
     }
 
@@ -64,8 +67,8 @@ impl Environment {
         let mut levels = faces.clone();
         for (level, draws) in (1..LEVELS).zip(DRAWS) {
             let roughness = level as f32 / (LEVELS - 1) as f32;
-            let shader = Prefilter { source: &source, lobe: lobe(roughness, draws) };
-            levels.append(&mut cube::draw(&shader, SIZE >> level, renderer)?);
+            let prefilter = Paint::Prefilter(Prefilter { source: &source, lobe: lobe(roughness, draws) });
+            levels.append(&mut paint::faces(&prefilter, SIZE >> level, renderer)?);
         }
         Ok(Self { mirrored: TextureCube::with_levels(SIZE, LEVELS, levels)?, scattered, has_key })
     }
@@ -100,7 +103,7 @@ fn harmonics(texels: &[[u16; 4]], size: usize) -> [[f32; 3]; 9] {
     for (k, texel) in texels.iter().enumerate() {
         let (face, y, x) = (k / (size * size), k / size % size, k % size);
         let [s, t] = [x, y].map(|x| (2 * x + 1) as f32 / size as f32 - 1.0);
-        let direction = cube::direction(face, [s, t]).map(f64::from);
+        let direction = paint::direction(face, [s, t]).map(f64::from);
         let squared: f64 = direction.iter().map(|x| x * x).sum();
         let [x, y, z] = direction.map(|x| x / squared.sqrt());
         // The solid angle of the texel.
@@ -144,24 +147,18 @@ fn lobe(roughness: f32, draws: u32) -> Vec<[f32; 4]> {
 }
 
 /// A level of what mirrors.
-struct Prefilter<'a> {
+#[derive(Debug)]
+pub(super) struct Prefilter<'a> {
     source: &'a TextureCube<'static, Rgba16F>,
     lobe: Vec<[f32; 4]>,
 }
 
-#[shader]
-impl Shader for Prefilter<'_> {
-    type Vertex = Corner;
-    type Varyings<L: Lanes> = Vec3<L>;
-
-    fn vertex(&self, &([x, y], direction): &Corner) -> (Vec4, Vec3) {
-        ([x, y, 0.0, 1.0].into(), direction.into())
-    }
-
-    fn fragment<L: Lanes>(&self, f: &mut Fragment<L, Self>) -> Rgba<L> {
-        let normal = f.varyings().normalize();
+impl Prefilter<'_> {
+    #[inline(always)]
+    pub(super) fn color<L: Lanes>(&self, normal: Vec3<L>) -> Rgba<L> {
+        let normal = normal.normalize();
         let (tangent, bitangent) = frame(normal);
-        let (mut sum, mut weight) = (f.splat([0.0; 3]), 0.0);
+        let (mut sum, mut weight) = (normal * 0.0, 0.0);
         for &[x, y, z, level] in &self.lobe {
             let direction = tangent * x + bitangent * y + normal * z;
             sum += self.source.sample_level(&Sampler::TRILINEAR, direction, level).rgb() * z;
@@ -181,27 +178,21 @@ fn frame<L: Lanes>(n: Vec3<L>) -> (Vec3<L>, Vec3<L>) {
 }
 
 /// A panorama, by direction.
-struct Panorama {
-    picture: Texture2d<'static, Rgba32F>,
+#[derive(Debug)]
+pub(super) struct Panorama {
+    picture: Texture2d<'static, Rgba16F>,
     level: f32,
 }
 
-#[shader]
-impl Shader for Panorama {
-    type Vertex = Corner;
-    type Varyings<L: Lanes> = Vec3<L>;
-
-    fn vertex(&self, &([x, y], direction): &Corner) -> (Vec4, Vec3) {
-        ([x, y, 0.0, 1.0].into(), direction.into())
-    }
-
-    fn fragment<L: Lanes>(&self, f: &mut Fragment<L, Self>) -> Rgba<L> {
-        let Vec3 { x, y, z } = f.varyings().normalize();
+impl Panorama {
+    #[inline(always)]
+    pub(super) fn color<L: Lanes>(&self, direction: Vec3<L>) -> Rgba<L> {
+        let Vec3 { x, y, z } = direction.normalize();
         let u = x.atan2(-z) * (0.5 * FRAC_1_PI) + 0.5;
         let v = 0.5 - y.clamp(-1.0, 1.0).asin() * FRAC_1_PI;
         let sampler = Sampler { wrap: [Wrap::Repeat, Wrap::Clamp, Wrap::Clamp], ..Sampler::TRILINEAR };
         let light = self.picture.sample_level(&sampler, Vec2::new(u, v), self.level).rgb();
-        // Halves end at 65504, and a sun's disc would leave specks.
-        Rgba::opaque(light.max([0.0; 3]).min([500.0; 3]))
+        // A sun's disc would leave specks.
+        Rgba::opaque(light.min([500.0; 3]))
     }
 }

@@ -2,12 +2,12 @@
 //!
 //! Two shadows: the key light's, and that of the light from all around, which is dark where something is close above. Both are smooth, and so they are drawn once to a small map of the ground.
 
-use super::shadow::{DISC, Shadow};
-use crate::Vertex;
+use super::paint::{self, Corner, Paint};
+use super::shadow::{self, DISC, Shadow};
 use crate::stage::Stage;
 use pineda::{
-    ColorBuffer, Cull, DepthBuffer, DepthState, DrawState, Error, Fragment, Indices, Lanes, Mat4, Mesh, Pass, R32F,
-    Renderer, Rgba, Sampler, Shader, Space, Target, Texture2d, Vec2, Vec3, Vec4, Wrap, shader,
+    ColorBuffer, Compare, DepthBias, DepthState, DrawState, Error, Lanes, Mat4, R32F, Real, Renderer, Rgba, Sampler,
+    Target, Texture2d, Vec2, Vec3, Wrap,
 };
 
 /// Texels of both maps, across and down.
@@ -22,27 +22,9 @@ pub(super) struct Ground {
     corners: [[f32; 3]; 4],
 }
 
-/// Heights above the ground.
-struct FromBelow {
-    clip_from_world: Mat4,
-}
-
-#[shader]
-impl Shader for FromBelow {
-    type Vertex = Vertex;
-    type Varyings<L: Lanes> = ();
-
-    fn vertex(&self, vertex: &Vertex) -> (Vec4, ()) {
-        (self.clip_from_world * Vec3::from(vertex.position).extend(1.0), ())
-    }
-
-    fn fragment<L: Lanes>(&self, f: &mut Fragment<L, Self>) -> Rgba<L> {
-        Rgba::gray(f.z())
-    }
-}
-
 /// How dark the ground is.
-struct Darkness<'a> {
+#[derive(Debug)]
+pub(super) struct Darkness<'a> {
     heights: &'a Texture2d<'a, R32F>,
     shadow: Option<&'a Shadow>,
     /// Half the ground's side.
@@ -50,19 +32,12 @@ struct Darkness<'a> {
     center: [f32; 3],
 }
 
-#[shader]
-impl Shader for Darkness<'_> {
-    type Vertex = [f32; 2];
-    type Varyings<L: Lanes> = ();
-
-    fn vertex(&self, &[x, y]: &[f32; 2]) -> (Vec4, ()) {
-        ([x, y, 0.0, 1.0].into(), ())
-    }
-
-    fn fragment<L: Lanes>(&self, f: &mut Fragment<L, Self>) -> Rgba<L> {
-        let at = Vec2::new(f.x(), f.y()) * (1.0 / SIZE as f32);
+impl Darkness<'_> {
+    #[inline(always)]
+    pub(super) fn color<L: Lanes>(&self, pixel: Vec2<L>) -> Rgba<L> {
+        let at = pixel * (1.0 / SIZE as f32);
         let sampler = Sampler { wrap: [Wrap::Border; 3], border: [1.0; 4], ..Sampler::BILINEAR };
-        let mut hidden = f.splat(0.0);
+        let mut hidden = at.x * 0.0;
         for [x, y] in DISC {
             // Close things darken a little of the ground much, higher ones much of it a little.
             for (radius, weight) in [(0.012, 0.55), (0.05, 0.45)] {
@@ -75,7 +50,7 @@ impl Shader for Darkness<'_> {
         let [x, y, z] = self.center;
         let mut open = 1.0 - 0.75 * hidden;
         if let Some(shadow) = self.shadow {
-            let place = Vec3::new(away.x * self.reach + x, f.splat(y), away.y * self.reach + z);
+            let place = Vec3::new(away.x * self.reach + x, Real::new(at.lanes(), y), away.y * self.reach + z);
             // Softer where it is farther from what casts it, which is where it is farther from the middle.
             let soft = away.length().smoothstep(0.15, 0.8);
             let lit = shadow.lit_within(place, 0.012).mix(shadow.lit_within(place, 0.06), soft);
@@ -86,26 +61,19 @@ impl Shader for Darkness<'_> {
     }
 }
 
-/// Draws it: black, as transparent as it is lit.
+/// The ground in the picture: black, as transparent as it is lit.
 #[derive(Debug)]
-pub(super) struct ShadowCatcher<'a> {
+pub(super) struct Cast<'a> {
     ground: &'a Ground,
-    clip_from_world: Mat4,
 }
 
-#[shader]
-impl Shader for ShadowCatcher<'_> {
-    type Vertex = ([f32; 3], [f32; 2]);
-    type Varyings<L: Lanes> = Vec2<L>;
-
-    fn vertex(&self, (position, uv): &([f32; 3], [f32; 2])) -> (Vec4, Vec2) {
-        (self.clip_from_world * Vec3::from(*position).extend(1.0), (*uv).into())
-    }
-
-    fn fragment<L: Lanes>(&self, f: &mut Fragment<L, Self>) -> Rgba<L> {
+impl Cast<'_> {
+    #[inline(always)]
+    pub(super) fn color<L: Lanes>(&self, place: Vec2<L>) -> Rgba<L> {
         let sampler = Sampler { wrap: [Wrap::Clamp; 3], ..Sampler::BILINEAR };
-        let darkness = self.ground.map.sample_level(&sampler, f.varyings(), 0.0).r;
-        Rgba::new(f.splat([0.0; 3]), darkness)
+        let darkness = self.ground.map.sample_level(&sampler, place, 0.0).r;
+        let none = darkness * 0.0;
+        Rgba { r: none, g: none, b: none, a: darkness }
     }
 }
 
@@ -127,51 +95,41 @@ impl Ground {
         let center = [0.5 * (low[0] + high[0]), low[1] - 1e-3 * reach, 0.5 * (low[2] + high[2])];
         let high = 0.35 * (size[0] * size[0] + size[1] * size[1] + size[2] * size[2]).sqrt();
         let [x, y, z] = center;
-        let from_below = FromBelow {
-            clip_from_world: Mat4::orthographic(-reach, reach, -reach, reach, 0.0, high)
-                * Mat4::look_at(center, [x, y + 1.0, z], [0.0, 0.0, -1.0]),
-        };
-        let mut pass = Pass::new();
-        for (prop, _) in stage.props.iter().zip(casts).filter(|(_, casts)| **casts) {
-            pass.draw(&from_below, prop.mesh(), DrawState { cull: Cull::None, ..DrawState::default() });
-        }
-        let mut heights = vec![0.0; (SIZE * SIZE) as usize];
-        renderer.render(&pass, &mut Target { depth: DepthBuffer::D32F(&mut heights), ..Target::new(SIZE, SIZE) })?;
-
+        let from_below = Mat4::orthographic(-reach, reach, -reach, reach, 0.0, high)
+            * Mat4::look_at(center, [x, y + 1.0, z], [0.0, 0.0, -1.0]);
+        let mut heights = shadow::depths(stage, from_below, casts, DepthBias::NONE, SIZE, renderer)?;
         // Seen from below, x runs to the left.
         for row in heights.chunks_exact_mut(SIZE as usize) {
             row.reverse();
         }
         let heights = Texture2d::new(SIZE, SIZE, heights)?;
-        let darkness = Darkness { heights: &heights, shadow, reach, center };
-        let side = 2.0 * SIZE as f32;
-        let corners = [[0.0, 0.0], [0.0, side], [side, 0.0]];
-        let mut pass = Pass::new();
-        let state = DrawState { space: Space::Raster, ..DrawState::default() };
-        pass.draw(&darkness, Mesh { vertices: &corners, indices: Indices::Sequential }, state);
+        let darkness = Paint::Darkness(Darkness { heights: &heights, shadow, reach, center });
         let mut map = vec![0.0; (SIZE * SIZE) as usize];
-        renderer.render(&pass, &mut Target { color: ColorBuffer::R32F(&mut map), ..Target::new(SIZE, SIZE) })?;
+        let color = ColorBuffer::R32F(&mut map);
+        paint::map(&darkness, Target { color, ..Target::new(SIZE, SIZE) }, renderer)?;
         let corners = [[-1.0, -1.0], [-1.0, 1.0], [1.0, 1.0], [1.0, -1.0]];
         let corners = corners.map(|[s, t]: [f32; 2]| [x + s * reach, y, z + t * reach]);
         Ok(Some(Self { map: Texture2d::new(SIZE, SIZE, map)?, corners }))
     }
 
-    /// Its corners, with where they lie in the map.
-    pub(super) fn vertices(&self) -> [([f32; 3], [f32; 2]); 6] {
-        let [a, b, c, d] = self.corners;
-        let [a, b, c, d] = [(a, [0.0, 0.0]), (b, [0.0, 1.0]), (c, [1.0, 1.0]), (d, [1.0, 0.0])];
+    /// Its corners in the picture, with where they lie in the map.
+    pub(super) fn corners(&self, clip_from_world: Mat4) -> [Corner; 6] {
+        let corner = |k: usize, [s, t]: [f32; 2]| {
+            (<[f32; 4]>::from(clip_from_world * Vec3::from(self.corners[k]).extend(1.0)), [s, t, 0.0])
+        };
+        let [a, b, c, d] = [corner(0, [0.0, 0.0]), corner(1, [0.0, 1.0]), corner(2, [1.0, 1.0]), corner(3, [1.0, 0.0])];
         [a, b, c, a, c, d]
     }
 
-    pub(super) fn shader(&self, clip_from_world: Mat4) -> ShadowCatcher<'_> {
-        ShadowCatcher { ground: self, clip_from_world }
+    pub(super) fn paint(&self) -> Paint<'_> {
+        Paint::Cast(Cast { ground: self })
     }
 
     pub(super) fn state() -> DrawState {
         DrawState {
             blend: pineda::Blend::PREMULTIPLIED,
-            depth: DepthState { write: false, ..DepthState::default() },
-            // It reaches beyond the camera's far plane.
+            // It reaches beyond the camera's far plane, where depths are 1 as they are where nothing is.
+            depth: DepthState { write: false, compare: Compare::LessEqual, ..DepthState::default() },
             depth_clamp: true,
             ..DrawState::default()
         }

@@ -14,11 +14,11 @@
 //! [`draw`] goes through these steps in order; each is drawn with `pineda` itself.
 
 mod brdf;
-mod cube;
 mod environment;
 mod ground;
 mod material;
 mod occlusion;
+mod paint;
 mod shader;
 mod shadow;
 mod studio;
@@ -150,12 +150,12 @@ pub fn draw(
     };
 
     let skins = picture.skins(behind.as_ref(), false);
-    let floor = ground.as_ref().map(|ground| (ground.vertices(), ground.shader(light.clip_from_world)));
+    let floor = ground.as_ref().map(|ground| (ground.corners(light.clip_from_world), ground.paint()));
     let mut pass = Pass::new();
     pass.clear_color = Some([0.0; 4]);
     picture.add(&mut pass, &skins, Part::Opaque);
-    if let Some((vertices, shader)) = &floor {
-        pass.draw(shader, Mesh { vertices, indices: Indices::Sequential }, Ground::state());
+    if let Some((corners, paint)) = &floor {
+        pass.draw(paint, Mesh { vertices: corners, indices: Indices::Sequential }, Ground::state());
     }
     picture.add(&mut pass, &skins, Part::Clear);
     picture.add(&mut pass, &skins, Part::Blended);

@@ -3,11 +3,12 @@
 //! In screen space, at half the picture's size: around each pixel some places are looked at, and what lies above the surface there hides (McGuire, Mara and Luebke 2012, "Scalable Ambient
 //! Obscurance"). Each pixel turns the places by an angle of its own; a mean over 4 x 4 pixels at the same distance takes the noise out again.
 
+use super::paint::{self, Paint};
 use crate::Vertex;
 use crate::stage::Stage;
 use pineda::{
-    ColorBuffer, DrawState, Error, Fragment, Indices, Int, Lanes, Mat4, Mesh, Pass, Real, Renderer, Rgba, Rgba32F,
-    Shader, Space, Target, Texture2d, Vec2, Vec3, Vec4, outputs, shader, varyings,
+    ColorBuffer, Error, Fragment, Int, Lanes, Mat4, Pass, Real, Renderer, Rgba, Rgba32F, Shader, Target, Texture2d,
+    Vec2, Vec3, Vec4, outputs, shader, varyings,
 };
 use std::f32::consts::TAU;
 
@@ -67,7 +68,8 @@ impl Shader for Survey {
 }
 
 /// Looks around each pixel.
-struct LookAround<'a> {
+#[derive(Debug)]
+pub(super) struct LookAround<'a> {
     places: &'a Texture2d<'a, Rgba32F>,
     normals: &'a Texture2d<'a, Rgba32F>,
     forward: [f32; 3],
@@ -77,17 +79,10 @@ struct LookAround<'a> {
     focal: f32,
 }
 
-#[shader]
-impl Shader for LookAround<'_> {
-    type Vertex = [f32; 2];
-    type Varyings<L: Lanes> = ();
-
-    fn vertex(&self, &[x, y]: &[f32; 2]) -> (Vec4, ()) {
-        ([x, y, 0.0, 1.0].into(), ())
-    }
-
-    fn fragment<L: Lanes>(&self, f: &mut Fragment<L, Self>) -> Rgba<L> {
-        let (x, y) = (f.x(), f.y());
+impl LookAround<'_> {
+    #[inline(always)]
+    pub(super) fn color<L: Lanes>(&self, pixel: Vec2<L>) -> Rgba<L> {
+        let Vec2 { x, y } = pixel;
         let (column, row) = (x.floor().to_int(), y.floor().to_int());
         let here = self.places.fetch(column, row, 0);
         let normal = self.normals.fetch(column, row, 0).rgb();
@@ -97,7 +92,7 @@ impl Shader for LookAround<'_> {
         let noise = (52.982_918 * (0.067_110_56 * x + 0.005_837_15 * y).fract()).fract();
         let (sine, cosine) = (noise * TAU).sin_cos();
         let squared = self.radius * self.radius;
-        let mut hidden = f.splat(0.0);
+        let mut hidden = x * 0.0;
         for k in 0..PLACES {
             let part = (k as f32 + 0.5) / PLACES as f32;
             let angle = part * TURNS * TAU;
@@ -118,24 +113,18 @@ impl Shader for LookAround<'_> {
 }
 
 /// The mean of 4 x 4 pixels, as far as they lie at the same distance.
-struct Smooth<'a> {
+#[derive(Debug)]
+pub(super) struct Smooth<'a> {
     map: &'a Texture2d<'a, Rgba32F>,
     radius: f32,
 }
 
-#[shader]
-impl Shader for Smooth<'_> {
-    type Vertex = [f32; 2];
-    type Varyings<L: Lanes> = ();
-
-    fn vertex(&self, &[x, y]: &[f32; 2]) -> (Vec4, ()) {
-        ([x, y, 0.0, 1.0].into(), ())
-    }
-
-    fn fragment<L: Lanes>(&self, f: &mut Fragment<L, Self>) -> Rgba<L> {
-        let (column, row) = (f.x().floor().to_int(), f.y().floor().to_int());
+impl Smooth<'_> {
+    #[inline(always)]
+    pub(super) fn color<L: Lanes>(&self, pixel: Vec2<L>) -> Rgba<L> {
+        let (column, row) = (pixel.x.floor().to_int(), pixel.y.floor().to_int());
         let here = self.map.fetch(column, row, 0);
-        let (mut sum, mut weights) = (here.r * 1e-3, f.splat(1e-3));
+        let (mut sum, mut weights) = (here.r * 1e-3, Real::new(pixel.lanes(), 1e-3));
         for k in 0..16 {
             let there = self.map.fetch(column + (k % 4 - 1), row + (k / 4 - 1), 0);
             let weight = (1.0 - (there.g - here.g).abs() * (4.0 / self.radius)).max(0.0) * there.a;
@@ -171,11 +160,15 @@ impl Occlusion {
         let Mat4([[_, a, ..], [_, b, ..], [_, c, ..], _]) = camera.clip_from_world;
         let focal = 0.5 * height as f32 * (a * a + b * b + c * c).sqrt();
         let (places, normals) = (Texture2d::new(width, height, places)?, Texture2d::new(width, height, normals)?);
+        let mut painted = |paint: &Paint<'_>| {
+            let mut pixels = vec![[0.0; 4]; count];
+            let color = ColorBuffer::Rgba32F(&mut pixels);
+            paint::map(paint, Target { color, ..Target::new(width, height) }, renderer)?;
+            Texture2d::<Rgba32F>::new(width, height, pixels)
+        };
         let look = LookAround { places: &places, normals: &normals, forward, radius, focal };
-        let noisy = whole_picture(&look, width, height, renderer)?;
-        let noisy = Texture2d::new(width, height, noisy)?;
-        let map = whole_picture(&Smooth { map: &noisy, radius }, width, height, renderer)?;
-        Ok(Self { map: Texture2d::new(width, height, map)?, forward })
+        let noisy = painted(&Paint::LookAround(look))?;
+        Ok(Self { map: painted(&Paint::Smooth(Smooth { map: &noisy, radius }))?, forward })
     }
 
     /// How open a pixel's surface is, 0 to 1: the mean of the four around in the map, as far as they are at the surface's own distance. `from_eye` is where the surface is.
@@ -200,21 +193,4 @@ impl Occlusion {
         }
         sum / weights
     }
-}
-
-/// What a shader says of each pixel.
-fn whole_picture<S: Shader<Vertex = [f32; 2]>>(
-    shader: &S,
-    width: u32,
-    height: u32,
-    renderer: &mut Renderer,
-) -> Result<Vec<[f32; 4]>, Error> {
-    let (right, bottom) = (2.0 * width as f32, 2.0 * height as f32);
-    let corners = [[0.0, 0.0], [0.0, bottom], [right, 0.0]];
-    let mut pass = Pass::new();
-    let state = DrawState { space: Space::Raster, ..DrawState::default() };
-    pass.draw(shader, Mesh { vertices: &corners, indices: Indices::Sequential }, state);
-    let mut pixels = vec![[0.0; 4]; (width * height) as usize];
-    renderer.render(&pass, &mut Target { color: ColorBuffer::Rgba32F(&mut pixels), ..Target::new(width, height) })?;
-    Ok(pixels)
 }

@@ -214,9 +214,17 @@ impl Surface<'_, '_> {
         Vec3::new(direction.dot(x), direction.dot(y), direction.dot(z))
     }
 
-    /// What reaches the eye, its alpha multiplied in.
+    /// What reaches the eye, its alpha multiplied in: compiled once for all shaders that it is part of.
     #[inline(always)]
     fn color<L: Lanes>(&self, seen: &Seen<L>, place: &Place<L>) -> Rgba<L> {
+        place.pixel.lanes().apart(
+            #[inline(always)]
+            || self.reflected(seen, place),
+        )
+    }
+
+    #[inline(always)]
+    fn reflected<L: Lanes>(&self, seen: &Seen<L>, place: &Place<L>) -> Rgba<L> {
         let (light, coating) = (self.light, self.coating);
         let base = self.base_color(seen, place);
         let lanes = base.a.lanes();
@@ -234,7 +242,7 @@ impl Surface<'_, '_> {
         let n_dot_v = normal.dot(to_eye).clamp(1e-3, 1.0);
 
         // What the material is here.
-        let (mut f0, mut albedo, roughness, strength);
+        let (mut f0, albedo, roughness, strength);
         match &coating.workflow {
             Workflow::Metallic { metallic, roughness: factor, map } => {
                 let map = numbers(map, place);

@@ -41,12 +41,12 @@ pub(super) struct Shadow {
 }
 
 /// Depth, no colour.
-struct FromLight {
+struct Depths {
     clip_from_world: Mat4,
 }
 
 #[shader]
-impl Shader for FromLight {
+impl Shader for Depths {
     type Vertex = Vertex;
     type Varyings<L: Lanes> = ();
 
@@ -59,6 +59,25 @@ impl Shader for FromLight {
     }
 }
 
+/// The depths of those props that cast a shadow, `size` x `size` of them.
+pub(super) fn depths(
+    stage: &Stage,
+    clip_from_world: Mat4,
+    casts: &[bool],
+    depth_bias: DepthBias,
+    size: u32,
+    renderer: &mut Renderer,
+) -> Result<Vec<f32>, Error> {
+    let shader = Depths { clip_from_world };
+    let mut pass = Pass::new();
+    for (prop, _) in stage.props.iter().zip(casts).filter(|(_, casts)| **casts) {
+        pass.draw(&shader, prop.mesh(), DrawState { depth_bias, cull: Cull::None, ..DrawState::default() });
+    }
+    let mut depths = vec![0.0; (size * size) as usize];
+    renderer.render(&pass, &mut Target { depth: DepthBuffer::D32F(&mut depths), ..Target::new(size, size) })?;
+    Ok(depths)
+}
+
 impl Shadow {
     /// Draws the map. `casts` says which props cast a shadow.
     pub(super) fn new(stage: &Stage, toward: [f32; 3], casts: &[bool], renderer: &mut Renderer) -> Result<Self, Error> {
@@ -69,14 +88,8 @@ impl Shadow {
         let up = if toward[1].abs() > 0.99 { [0.0, 0.0, 1.0] } else { [0.0, 1.0, 0.0] };
         let clip_from_world = Mat4::orthographic(-radius, radius, -radius, radius, radius, 3.0 * radius)
             * Mat4::look_at(from, center, up);
-        let from_light = FromLight { clip_from_world };
         let depth_bias = DepthBias { constant: 0.0, slope: 1.5, clamp: 0.0 };
-        let mut pass = Pass::new();
-        for (prop, _) in stage.props.iter().zip(casts).filter(|(_, casts)| **casts) {
-            pass.draw(&from_light, prop.mesh(), DrawState { depth_bias, cull: Cull::None, ..DrawState::default() });
-        }
-        let mut depth = vec![0.0; (SIZE * SIZE) as usize];
-        renderer.render(&pass, &mut Target { depth: DepthBuffer::D32F(&mut depth), ..Target::new(SIZE, SIZE) })?;
+        let depth = depths(stage, clip_from_world, casts, depth_bias, SIZE, renderer)?;
         // y grows downwards in maps.
         let map_from_clip = Mat4::translation([0.5, 0.5, 0.0]) * Mat4::scale([0.5, -0.5, 1.0]);
         Ok(Self {
@@ -100,10 +113,12 @@ impl Shadow {
         // Beyond the map everything is lit.
         let sampler = Sampler { wrap: [Wrap::Border; 3], border: [1.0; 4], ..Sampler::SHADOW };
         let place = (self.map_from_world * position.extend(1.0)).xyz();
+        // Behind everything that the map shows it is no darker.
+        let depth = place.z.min(1.0);
         let mut sum = Real::new(position.lanes(), 0.0);
         for [x, y] in DISC {
             let place_there = place.xy() + [x * softness, y * softness];
-            sum += self.map.sample_compare(&sampler, place_there, place.z);
+            sum += self.map.sample_compare(&sampler, place_there, depth);
         }
         sum * (1.0 / DISC.len() as f32)
     }

@@ -13,8 +13,7 @@
 //!
 //! Light comes in a few large, soft-edged areas, dark between them: it is the reflections of these that show how a thing is curved and how it shines.
 
-use super::cube::Corner;
-use pineda::{Fragment, Lanes, Rgba, Shader, Vec3, Vec4, shader};
+use pineda::{Lanes, Rgba, Splat, Vec3, shader};
 
 /// A luminous rectangle, infinitely far away.
 #[derive(Clone, Copy, Debug)]
@@ -36,36 +35,30 @@ pub(super) const KEY: [f32; 3] = [-0.528_2, 0.699_0, 0.481_9];
 pub(super) const BOXES: [SoftBox; 5] = [
     // The key light comes first: it shines by itself, too, with a shadow.
     SoftBox { toward: KEY, half_size: [0.42, 0.55], softness: 0.25, color: [11.0, 10.6, 10.0] },
-    SoftBox { toward: [0.0, 1.0, 0.0], half_size: [0.9, 0.7], softness: 0.5, color: [2.6, 2.65, 2.75] },
+    SoftBox { toward: [0.0, 1.0, 0.0], half_size: [0.9, 0.7], softness: 0.5, color: [1.0, 1.02, 1.06] },
     SoftBox { toward: [0.894_4, 0.178_9, 0.409_9], half_size: [0.28, 0.75], softness: 0.3, color: [2.2, 2.35, 2.6] },
     SoftBox { toward: [0.686_4, 0.343_2, -0.641_1], half_size: [0.16, 0.7], softness: 0.3, color: [7.0, 7.2, 7.6] },
     SoftBox { toward: [-0.842_2, 0.187_2, -0.505_4], half_size: [0.14, 0.6], softness: 0.3, color: [4.0, 4.1, 4.3] },
 ];
 
 /// The room: its walls at the height of the eye, its ceiling, and its floor.
-const WALLS: [f32; 3] = [0.34, 0.345, 0.36];
-const CEILING: [f32; 3] = [0.62, 0.64, 0.68];
-const FLOOR: [f32; 3] = [0.52, 0.505, 0.49];
+const WALLS: [f32; 3] = [0.25, 0.255, 0.27];
+const CEILING: [f32; 3] = [0.36, 0.375, 0.40];
+const FLOOR: [f32; 3] = [0.36, 0.35, 0.34];
 
 /// Radiance by direction, from the soft box numbered `first` on.
+#[derive(Debug)]
 pub(super) struct Studio {
     pub(super) first: usize,
 }
 
-#[shader]
-impl Shader for Studio {
-    type Vertex = Corner;
-    type Varyings<L: Lanes> = Vec3<L>;
-
-    fn vertex(&self, &([x, y], direction): &Corner) -> (Vec4, Vec3) {
-        ([x, y, 0.0, 1.0].into(), direction.into())
-    }
-
-    fn fragment<L: Lanes>(&self, f: &mut Fragment<L, Self>) -> Rgba<L> {
-        let direction = f.varyings().normalize();
+impl Studio {
+    #[inline(always)]
+    pub(super) fn color<L: Lanes>(&self, direction: Vec3<L>) -> Rgba<L> {
+        let direction = direction.normalize();
         let up = direction.y.max(0.0);
         let down = (-direction.y).max(0.0);
-        let mut light = f.splat(WALLS).mix(CEILING, up * (2.0 - up)).mix(FLOOR, down.sqrt());
+        let mut light = WALLS.splat(direction.lanes()).mix(CEILING, up * (2.0 - up)).mix(FLOOR, down.sqrt());
         for soft_box in &BOXES[self.first..] {
             light += shine(*soft_box, direction);
         }
@@ -89,4 +82,4 @@ fn shine<L: Lanes>(soft_box: SoftBox, direction: Vec3<L>) -> Vec3<L> {
 }
 
 /// What the key light gives beside what can be seen of it, where it falls straight on: linear light.
-pub(super) const KEY_LIGHT: [f32; 3] = [1.02, 0.98, 0.92];
+pub(super) const KEY_LIGHT: [f32; 3] = [0.66, 0.64, 0.60];

@@ -49,9 +49,13 @@ pub(super) fn light(root: &Root, node: &Node, world: &Affine) -> Option<Light> {
     let is_somewhere = position.iter().all(|c| c.is_finite());
     is_somewhere.then(|| Light {
         name: shown(name.as_bytes()).into(),
-        color: light.color.filter(|color| color.iter().all(|c| c.is_finite())).unwrap_or([1.0; 3]),
-        intensity: light.intensity.filter(|i| i.is_finite()).unwrap_or(1.0),
-        range: light.range.filter(|&range| range > 0.0).unwrap_or(f32::INFINITY),
+        color: light
+            .color
+            .map(|color| color.map(|c| c as f32))
+            .filter(|color| color.iter().all(|c| c.is_finite()))
+            .unwrap_or([1.0; 3]),
+        intensity: light.intensity.map(|i| i as f32).filter(|i| i.is_finite()).unwrap_or(1.0),
+        range: light.range.map(|range| range as f32).filter(|&range| range > 0.0).unwrap_or(f32::INFINITY),
         position,
         direction,
         kind,

@@ -71,7 +71,11 @@ fn convert(material: &schema::Material, texture: &dyn Fn(&Option<TextureInfo>) -
             thickness_factor: one(v.thickness_factor, 0.0),
             thickness_texture: texture(&v.thickness_texture),
             // 0 would be division by it: glTF wants more, and no matter at all is what comes closest.
-            attenuation_distance: v.attenuation_distance.filter(|&d| d > 0.0).unwrap_or(f32::INFINITY),
+            attenuation_distance: v
+                .attenuation_distance
+                .map(|d| d as f32)
+                .filter(|&d| d > 0.0)
+                .unwrap_or(f32::INFINITY),
             attenuation_color: finite(v.attenuation_color, [1.0; 3]),
         }),
         iridescence: extensions.iridescence.as_ref().map(|i| Iridescence {
@@ -110,16 +114,19 @@ fn normal(
     (texture(info), one(info.as_ref().and_then(|info| info.scale), 1.0))
 }
 
-fn finite<const N: usize>(factor: Option<[f32; N]>, default: [f32; N]) -> [f32; N] {
-    factor.filter(|factor| factor.iter().all(|f| f.is_finite())).unwrap_or(default)
+fn finite<const N: usize>(factor: Option<[f64; N]>, default: [f32; N]) -> [f32; N] {
+    factor
+        .map(|factor| factor.map(|f| f as f32))
+        .filter(|factor| factor.iter().all(|f| f.is_finite()))
+        .unwrap_or(default)
 }
 
-fn one(factor: Option<f32>, default: f32) -> f32 {
-    factor.filter(|f| f.is_finite()).unwrap_or(default)
+fn one(factor: Option<f64>, default: f32) -> f32 {
+    factor.map(|f| f as f32).filter(|f| f.is_finite()).unwrap_or(default)
 }
 
 /// A factor that has a sense within 0..=1 only.
-fn unit(factor: Option<f32>, default: f32) -> f32 {
+fn unit(factor: Option<f64>, default: f32) -> f32 {
     one(factor, default).clamp(0.0, 1.0)
 }
 

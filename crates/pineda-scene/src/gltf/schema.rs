@@ -67,9 +67,9 @@ pub(super) struct Light {
     pub(super) name: Option<String>,
     #[serde(rename = "type")]
     pub(super) kind: String,
-    pub(super) color: Option<[f32; 3]>,
-    pub(super) intensity: Option<f32>,
-    pub(super) range: Option<f32>,
+    pub(super) color: Option<[f64; 3]>,
+    pub(super) intensity: Option<f64>,
+    pub(super) range: Option<f64>,
     pub(super) spot: Option<Spot>,
 }
 

@@ -1,65 +1,83 @@
-//! From an OBJ file's statements to objects: polygons cut into triangles, pairs of indices turned into vertices.
+//! From an OBJ file's statements to objects: polygons cut into triangles, triples of indices turned into vertices.
 
 use std::collections::HashMap;
 
+use super::maps::Maps;
 use super::mtl::Library;
-use super::parse::{Corner, File, Group, Skipped};
+use super::parse::{Corner, File, Group};
 use crate::color::{float_scale, srgb_to_linear};
 use crate::limits::Budget;
 use crate::vector::{area_vector_x2, unit_or_zero, widen};
-use crate::{AlphaMode, Error, Format, Loaded, Material, Normals, Object, Scene, Vertex, note, polygon};
+use crate::{Error, Format, Loaded, Material, Normals, Object, Resolver, Scene, Vertex, note, polygon};
 
 pub(super) fn build(
     mut file: File,
     library: Library,
     mut notes: Vec<String>,
+    files: &dyn Resolver,
     budget: &mut Budget,
 ) -> Result<Loaded, Error> {
-    let (materials, default_material) = materials(&file, library, &mut notes);
+    let default_material = file.materials.len();
     let groups = std::mem::take(&mut file.groups);
+    let mut scene = Scene::default();
+    materials(&file, &groups, library, &mut scene, &mut notes, files, budget);
+    let skipped = file.skipped;
     let mut sources = Sources::new(file);
     let (mut too_small, mut gave_up) = (0, 0);
-    let mut objects = Vec::with_capacity(groups.len());
+    scene.objects.reserve(groups.len());
     for group in groups {
         sources.check(&group)?;
         too_small += group.faces.too_small;
         let position = |corner: Corner| sources.positions[corner.position as usize];
         let (triangles, fans) = group.faces.triangulate(position, budget)?;
         gave_up += fans;
-        let material = group.material.unwrap_or(default_material);
-        let name = group.name.as_str().into();
-        drop(group);
-        let (vertices, triangles, normals) = sources.assemble(&triangles, budget)?;
-        objects.push(Object { name, vertices, triangles, material, normals, ..Object::default() });
+        let Group { name, material, faces, lines, points, .. } = group;
+        drop(faces);
+        let mut object = sources.assemble(&triangles, &lines, &points, budget)?;
+        object.name = name.as_str().into();
+        object.material = material.unwrap_or(default_material);
+        scene.objects.push(object);
     }
     polygon::notes(too_small, gave_up, &mut notes);
-    notes.extend(
-        sources.skipped.iter().map(|(what, count)| format!("{} skipped", note::counted(*count, what.one, what.many))),
-    );
-    Ok(Loaded { scene: Scene { objects, materials, ..Scene::default() }, notes })
+    if sources.missing_uvs > 0 {
+        let vertices = note::counted(sources.missing_uvs, "vertex names", "vertices name");
+        notes.push(format!("{vertices} texture coordinates that the file does not have"));
+    }
+    if skipped > 0 {
+        let skipped = note::counted(skipped, "free-form curve or surface", "free-form curves and surfaces");
+        notes.push(format!("{skipped} skipped"));
+    }
+    Ok(Loaded { scene, notes })
 }
 
-/// The file's materials in its order and, where faces have none, a default one behind them; and the default's number.
-fn materials(file: &File, library: Library, notes: &mut Vec<String>) -> (Vec<Material>, usize) {
-    let (mut textures, mut blended) = (0, 0);
+/// The file's materials in its order, with their textures, and, where something has none, a default one behind them.
+fn materials(
+    file: &File,
+    groups: &[Group],
+    library: Library,
+    scene: &mut Scene,
+    notes: &mut Vec<String>,
+    files: &dyn Resolver,
+    budget: &mut Budget,
+) {
     let mut missing = Vec::new();
-    let mut materials: Vec<Material> = file
-        .materials
-        .iter()
-        .map(|name| match library.get(name) {
-            Some(entry) => {
-                textures += entry.textures;
-                blended += usize::from(entry.material.alpha_mode == AlphaMode::Blend);
-                entry.material.clone()
-            }
+    let mut is_drawn = vec![false; file.materials.len()];
+    groups.iter().filter_map(|group| group.material).for_each(|material| is_drawn[material] = true);
+    let drawn = file.materials.iter().zip(&is_drawn).filter(|&(_, &is_drawn)| is_drawn);
+    let mut maps = Maps::new(drawn.filter_map(|(name, _)| library.get(name)), files, budget);
+    for (name, is_drawn) in file.materials.iter().zip(is_drawn) {
+        let material = match library.get(name) {
+            Some(entry) if is_drawn => maps.dress(entry),
+            Some(entry) => entry.material.clone(),
             None => {
                 missing.push(format!("'{name}'"));
                 Material { name: name.as_str().into(), ..Material::default() }
             }
-        })
-        .collect();
-    if file.groups.iter().any(|group| group.material.is_none()) {
-        materials.push(Material::default());
+        };
+        scene.materials.push(material);
+    }
+    if groups.iter().any(|group| group.material.is_none()) {
+        scene.materials.push(Material::default());
     }
     notes.extend(library.notes);
     // If the library itself is missing, that has been said.
@@ -69,9 +87,7 @@ fn materials(file: &File, library: Library, notes: &mut Vec<String>) -> (Vec<Mat
             crate::text::shown(missing.join(", ").as_bytes())
         ));
     }
-    notes.extend(note::textures(textures));
-    notes.extend(note::transparency(blended));
-    (materials, file.materials.len())
+    maps.finish(scene, notes);
 }
 
 /// What corners point into.
@@ -81,9 +97,12 @@ struct Sources {
     colors: Vec<[f32; 4]>,
     /// Unit length, or zero.
     normals: Vec<[f32; 3]>,
-    skipped: Vec<(Skipped, usize)>,
-    /// For each position the normal and number of the vertex that was made of it first, in the object now built.
-    first_use: Vec<(u32, u32)>,
+    /// v goes down.
+    uvs: Vec<[f32; 2]>,
+    /// Vertices with texture coordinates that the file does not have.
+    missing_uvs: usize,
+    /// For each position the corner and number of the vertex that was made of it first, in the object now built.
+    first_use: Vec<(Corner, u32)>,
 }
 
 impl Sources {
@@ -100,94 +119,139 @@ impl Sources {
             [r, g, b, alpha]
         };
         Self {
-            first_use: vec![(0, Self::UNUSED); file.positions.len()],
+            first_use: vec![
+                (Corner { position: 0, normal: Corner::NONE, uv: Corner::NONE }, Self::UNUSED);
+                file.positions.len()
+            ],
             positions: file.positions,
             colors: file.colors.into_iter().map(linear).collect(),
             normals: file.normals.into_iter().map(|n| unit_or_zero(widen(n))).collect(),
-            skipped: file.skipped,
+            missing_uvs: 0,
+            uvs: file.uvs.into_iter().map(|[u, v]| [u, 1.0 - v]).collect(),
         }
     }
 
     /// Every corner names what exists.
     fn check(&self, group: &Group) -> Result<(), Error> {
         let out_of_range = |corner: &Corner| {
-            let Corner { position, normal } = *corner;
+            let Corner { position, normal, .. } = *corner;
             if position as usize >= self.positions.len() {
                 Some(("vertex", position, self.positions.len()))
-            } else if normal != Corner::NO_NORMAL && normal as usize >= self.normals.len() {
+            } else if normal != Corner::NONE && normal as usize >= self.normals.len() {
                 Some(("normal", normal, self.normals.len()))
             } else {
                 None
             }
         };
-        let corners = group.faces.corners();
-        let Some((at, (what, index, count))) =
-            corners.iter().enumerate().find_map(|(i, c)| Some((i, out_of_range(c)?)))
-        else {
-            return Ok(());
-        };
-        let face = group.faces.polygon_of_corner(at) + 1;
         let of = if group.name.is_empty() { String::new() } else { format!(" of '{}'", group.name) };
-        let message = format!(
-            "face {face}{of} (faces from here on) names {what} {}, but the file has {count}",
-            u64::from(index) + 1
-        );
-        Err(Error::text(Format::Obj, group.line, message))
+        let wrong = |element: String, (what, index, count): (&str, u32, usize)| {
+            let index = u64::from(index) + 1;
+            let message =
+                format!("{element}{of} (counted from here on) names {what} {index}, but the file has {count}");
+            Err(Error::text(Format::Obj, group.line, message))
+        };
+        let find = |corners: &[Corner]| corners.iter().enumerate().find_map(|(i, c)| Some((i, out_of_range(c)?)));
+        if let Some((at, problem)) = find(group.faces.corners()) {
+            return wrong(format!("face {}", group.faces.polygon_of_corner(at) + 1), problem);
+        }
+        if let Some((at, problem)) = find(group.lines.as_flattened()) {
+            return wrong(format!("line {}", at / 2 + 1), problem);
+        }
+        match find(&group.points) {
+            Some((at, problem)) => wrong(format!("point {}", at + 1), problem),
+            None => Ok(()),
+        }
     }
 
-    /// Vertices and triangles of one object, and whether the file gives normals for it.
-    #[expect(clippy::type_complexity, reason = "the three fields of the object that is made of them")]
+    /// One object's vertices, and what is made of them.
     fn assemble(
         &mut self,
         corners: &[[Corner; 3]],
+        lines: &[[Corner; 2]],
+        points: &[Corner],
         budget: &mut Budget,
-    ) -> Result<(Vec<Vertex>, Vec<[u32; 3]>, Normals), Error> {
-        let has_normals = corners.iter().flatten().any(|c| c.normal != Corner::NO_NORMAL);
-        let mut vertices: Vec<Vertex> = Vec::new();
+    ) -> Result<Object, Error> {
+        let all = || corners.as_flattened().iter().chain(lines.as_flattened()).chain(points);
+        let has_normals = corners.as_flattened().iter().any(|c| c.normal != Corner::NONE);
+        let has_uvs = all().any(|c| c.uv != Corner::NONE);
+        let normals = if has_normals { Normals::Given } else { Normals::Absent };
+        let mut object = Object { normals, uvs: vec![Vec::new(); usize::from(has_uvs)], ..Object::default() };
+        let mut welder = Welder { sources: self, has_normals, others: HashMap::new(), object: &mut object };
         let mut triangles = Vec::with_capacity(corners.len());
-        // Pairs of position and normal beyond the first of each position.
-        let mut others: HashMap<(u32, u32), u32> = HashMap::new();
         for triangle in corners {
-            triangles.push([0; 3]);
-            let indices = &mut triangles[..].last_mut().expect("just pushed")[..];
-            for (index, corner) in indices.iter_mut().zip(triangle) {
-                let next = vertices.len() as u32;
-                let first = &mut self.first_use[corner.position as usize];
-                let own_normal = has_normals && corner.normal == Corner::NO_NORMAL;
-                *index = if own_normal {
-                    next
-                } else if first.1 == Self::UNUSED {
-                    *first = (corner.normal, next);
-                    next
-                } else if first.0 == corner.normal {
-                    first.1
-                } else {
-                    *others.entry((corner.position, corner.normal)).or_insert(next)
-                };
-                if *index == next {
-                    budget.vertices(1)?;
-                    vertices.push(self.vertex(*corner, if own_normal { Some(triangle) } else { None }));
-                }
-            }
+            let [a, b, c] = triangle;
+            triangles.push([
+                welder.vertex(a, Some(triangle), budget)?,
+                welder.vertex(b, Some(triangle), budget)?,
+                welder.vertex(c, Some(triangle), budget)?,
+            ]);
         }
-        for corner in corners.iter().flatten() {
+        let mut ends = Vec::with_capacity(lines.len());
+        for [a, b] in lines {
+            ends.push([welder.vertex(a, None, budget)?, welder.vertex(b, None, budget)?]);
+        }
+        let mut dots = Vec::with_capacity(points.len());
+        for point in points {
+            dots.push(welder.vertex(point, None, budget)?);
+        }
+        (object.triangles, object.lines, object.points) = (triangles, ends, dots);
+        for corner in all() {
             self.first_use[corner.position as usize].1 = Self::UNUSED;
         }
-        Ok((vertices, triangles, if has_normals { Normals::Given } else { Normals::Absent }))
+        Ok(object)
     }
 
     /// `face`: the triangle to take the normal from, for a corner without one among corners with.
-    fn vertex(&self, corner: Corner, face: Option<&[Corner; 3]>) -> Vertex {
+    fn make(&self, corner: Corner, face: Option<&[Corner; 3]>) -> Vertex {
         let position = |c: Corner| self.positions[c.position as usize];
         let normal = match face {
             Some(face) => {
                 let [a, b, c] = face.map(|c| widen(position(c)));
                 unit_or_zero(area_vector_x2(a, b, c))
             }
-            None if corner.normal == Corner::NO_NORMAL => [0.0; 3],
+            None if corner.normal == Corner::NONE => [0.0; 3],
             None => self.normals[corner.normal as usize],
         };
         let color = self.colors.get(corner.position as usize).copied().unwrap_or(Vertex::WHITE);
         Vertex { position: position(corner), normal, color }
+    }
+}
+
+/// Makes one vertex of equal corners.
+struct Welder<'a> {
+    sources: &'a mut Sources,
+    has_normals: bool,
+    /// Corners beyond the first of each position.
+    others: HashMap<[u32; 3], u32>,
+    object: &'a mut Object,
+}
+
+impl Welder<'_> {
+    /// The number of a corner's vertex; `face` is the triangle that it is a corner of.
+    fn vertex(&mut self, corner: &Corner, face: Option<&[Corner; 3]>, budget: &mut Budget) -> Result<u32, Error> {
+        let next = self.object.vertices.len() as u32;
+        let first = &mut self.sources.first_use[corner.position as usize];
+        // A corner without a normal among corners with has its face's own.
+        let own_normal = face.filter(|_| self.has_normals && corner.normal == Corner::NONE);
+        let index = if own_normal.is_some() {
+            next
+        } else if first.1 == Sources::UNUSED {
+            *first = (*corner, next);
+            next
+        } else if first.0 == *corner {
+            first.1
+        } else {
+            *self.others.entry([corner.position, corner.normal, corner.uv]).or_insert(next)
+        };
+        if index == next {
+            budget.vertices(1)?;
+            self.object.vertices.push(self.sources.make(*corner, own_normal));
+            if let Some(uvs) = self.object.uvs.first_mut() {
+                let uv = self.sources.uvs.get(corner.uv as usize);
+                self.sources.missing_uvs += usize::from(uv.is_none() && corner.uv != Corner::NONE);
+                uvs.push(uv.copied().unwrap_or([0.0; 2]));
+            }
+        }
+        Ok(index)
     }
 }

@@ -15,43 +15,44 @@ pub(super) struct File {
     /// Parallel to `positions`, as stored; empty if no vertex has a colour, NaN where one has none.
     pub(super) colors: Vec<[f32; 4]>,
     pub(super) normals: Vec<[f32; 3]>,
+    /// As stored: v goes up.
+    pub(super) uvs: Vec<[f32; 2]>,
     /// The names after `mtllib`, line by line.
     pub(super) libraries: Vec<String>,
     /// The names after `usemtl`.
     pub(super) materials: Vec<String>,
     pub(super) groups: Vec<Group>,
-    /// What is not made of faces, and how much of it there is, in the order of the first of each kind.
-    pub(super) skipped: Vec<(Skipped, usize)>,
+    /// Free-form curves and surfaces.
+    pub(super) skipped: usize,
 }
 
-/// A kind of statement that is not drawn, in words.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) struct Skipped {
-    pub(super) one: &'static str,
-    pub(super) many: &'static str,
-}
-
-/// Faces of one object or group and of one material.
+/// Faces, lines and points of one object or group and of one material.
 pub(super) struct Group {
     pub(super) name: String,
     /// Index into [`File::materials`].
     pub(super) material: Option<usize>,
     pub(super) faces: Polygons<Corner>,
-    /// Where the group's first face is.
+    pub(super) lines: Vec<[Corner; 2]>,
+    pub(super) points: Vec<Corner>,
+    /// Where the group's first element is.
     pub(super) line: usize,
 }
 
-/// A corner of a face.
-#[derive(Clone, Copy)]
+/// A corner of a face, an end of a line, a point.
+#[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) struct Corner {
     /// Index into [`File::positions`], not yet known to be in range: files may name a vertex before they define it.
     pub(super) position: u32,
-    /// The same for [`File::normals`]; [`Corner::NO_NORMAL`] for none.
+    /// The same for [`File::normals`]; [`Corner::NONE`] for none.
     pub(super) normal: u32,
+    /// The same for [`File::uvs`]; [`Corner::NONE`] for none.
+    pub(super) uv: u32,
 }
 
 impl Corner {
-    pub(super) const NO_NORMAL: u32 = u32::MAX;
+    pub(super) const NONE: u32 = u32::MAX;
+    /// In range of nothing.
+    const NO_SUCH: u32 = u32::MAX - 1;
 }
 
 pub(super) fn parse(bytes: &[u8], budget: &mut Budget) -> Result<File, Error> {
@@ -102,7 +103,25 @@ impl<'a> Parser<'a> {
                 let normal = self.numbers("a normal (vn)")?;
                 self.file.normals.push(normal);
             }
-            b"f" | b"fo" => self.face(budget)?,
+            b"vt" => {
+                let u = self.number("a texture coordinate (vt)")?.unwrap_or(0.0);
+                let v = self.number("a texture coordinate (vt)")?.unwrap_or(0.0);
+                self.file.uvs.push([u, v]);
+            }
+            b"f" | b"fo" => {
+                let group = self.element(budget)?;
+                self.file.groups[group].faces.push(self.corners.iter().copied());
+            }
+            b"l" => {
+                let group = self.element(budget)?;
+                budget.triangles(self.corners.len().saturating_sub(1) as u64)?;
+                self.file.groups[group].lines.extend(self.corners.windows(2).map(|ends| [ends[0], ends[1]]));
+            }
+            b"p" => {
+                let group = self.element(budget)?;
+                budget.triangles(self.corners.len() as u64)?;
+                self.file.groups[group].points.extend(&self.corners);
+            }
             b"o" => {
                 self.object = shown(self.text.rest());
                 self.group.clear();
@@ -118,8 +137,8 @@ impl<'a> Parser<'a> {
                 self.current = None;
             }
             b"mtllib" => self.file.libraries.push(shown(self.text.rest())),
-            b"l" | b"p" | b"curv" | b"curv2" | b"surf" => self.skip(keyword),
-            // vt, s and what describes curves, display and rendering: nothing that shapes a triangle.
+            b"curv" | b"curv2" | b"surf" => self.file.skipped += 1,
+            // s and what describes curves, display and rendering: nothing that shapes a triangle.
             _ => {}
         }
         Ok(())
@@ -172,27 +191,28 @@ impl<'a> Parser<'a> {
         Ok(())
     }
 
-    fn face(&mut self, budget: &mut Budget) -> Result<(), Error> {
+    /// Reads an element's corners; the number of the group that it belongs to.
+    fn element(&mut self, budget: &mut Budget) -> Result<usize, Error> {
         self.corners.clear();
         while let Some(word) = self.text.word() {
             let corner = self.corner(word)?;
             self.corners.push(corner);
         }
-        let group = match self.current {
-            Some(group) => group,
-            None => self.open_group(budget)?,
-        };
-        self.file.groups[group].faces.push(self.corners.iter().copied());
-        Ok(())
+        match self.current {
+            Some(group) => Ok(group),
+            None => self.open_group(budget),
+        }
     }
 
-    /// `v`, `v/vt`, `v//vn` or `v/vt/vn`. The texture coordinate is not looked at.
+    /// `v`, `v/vt`, `v//vn` or `v/vt/vn`.
     fn corner(&self, word: &[u8]) -> Result<Corner, Error> {
         let mut parts = word.split(|&b| b == b'/');
         let position = parts.next().unwrap_or_default();
-        let normal = parts.nth(1).filter(|normal| !normal.is_empty());
+        let uv = parts.next().filter(|uv| !uv.is_empty());
+        let normal = parts.next().filter(|normal| !normal.is_empty());
         let index = |part: &[u8], of: usize, what: &str| {
-            let wrong = |why: &str| self.error(format!("'{}' in a face (f): {why}", shown(word)));
+            let wrong =
+                |why: &str| self.error(format!("'{}' in a face (f), line (l) or point (p): {why}", shown(word)));
             match integer(part) {
                 None => Err(wrong("expected whole numbers as in 1, 1/2, 1//3 or 1/2/3")),
                 Some(0) => Err(wrong("indices count from 1, or from -1 backwards")),
@@ -207,9 +227,16 @@ impl<'a> Parser<'a> {
                     .ok_or_else(|| wrong("the index is too large")),
             }
         };
+        // What is wrong with texture coordinates costs the texture, not the model.
+        let uv = match uv.map(|uv| (uv, integer(uv))) {
+            None => Corner::NONE,
+            Some((uv, None)) => index(uv, 0, "texture coordinates")?,
+            Some((uv, Some(_))) => index(uv, self.file.uvs.len(), "texture coordinates").unwrap_or(Corner::NO_SUCH),
+        };
         Ok(Corner {
             position: index(position, self.file.positions.len(), "vertices")?,
-            normal: normal.map_or(Ok(Corner::NO_NORMAL), |n| index(n, self.file.normals.len(), "normals"))?,
+            normal: normal.map_or(Ok(Corner::NONE), |n| index(n, self.file.normals.len(), "normals"))?,
+            uv,
         })
     }
 
@@ -226,23 +253,12 @@ impl<'a> Parser<'a> {
                 let group = self.file.groups.len();
                 self.groups.insert((name.clone(), self.material), group);
                 let (material, line) = (self.material, self.text.line());
-                self.file.groups.push(Group { name, material, faces: Polygons::default(), line });
+                let (faces, lines, points) = (Polygons::default(), Vec::new(), Vec::new());
+                self.file.groups.push(Group { name, material, faces, lines, points, line });
                 group
             }
         };
         self.current = Some(group);
         Ok(group)
-    }
-
-    fn skip(&mut self, keyword: &[u8]) {
-        let what = match keyword {
-            b"l" => Skipped { one: "line element", many: "line elements" },
-            b"p" => Skipped { one: "point element", many: "point elements" },
-            _ => Skipped { one: "free-form curve or surface", many: "free-form curves and surfaces" },
-        };
-        match self.file.skipped.iter_mut().find(|(known, _)| *known == what) {
-            Some((_, count)) => *count += 1,
-            None => self.file.skipped.push((what, 1)),
-        }
     }
 }

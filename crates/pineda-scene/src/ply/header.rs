@@ -10,7 +10,7 @@ pub(super) struct Header {
     pub(super) body: usize,
     pub(super) body_line: usize,
     /// Images named in comments, as MeshLab does.
-    pub(super) textures: usize,
+    pub(super) textures: Vec<String>,
 }
 
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -80,8 +80,9 @@ impl Header {
         self.elements.iter().find(|e| e.name == element).map_or(self.body_line, |e| e.line)
     }
 
-    pub(super) fn has_face_colors(&self) -> bool {
-        self.elements.iter().any(|e| e.name == "face" && e.properties.iter().any(|p| p.name == "red"))
+    /// Whether faces have a property of that name.
+    pub(super) fn faces_have(&self, property: &str) -> bool {
+        self.elements.iter().any(|e| e.name == "face" && e.properties.iter().any(|p| p.name == property))
     }
 }
 
@@ -93,7 +94,7 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Header, Error> {
     }
     let mut encoding = None;
     let mut elements: Vec<Element> = Vec::new();
-    let mut textures = 0;
+    let mut textures = Vec::new();
     loop {
         if !text.next_line() {
             return Err(Error::text(Format::Ply, text.line(), "the file ends before 'end_header': it is cut short"));
@@ -109,7 +110,11 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Header, Error> {
                     elements.last_mut().ok_or_else(|| wrong("a property without an element before it".to_owned()))?;
                 element.properties.push(parse_property(&mut text).map_err(wrong)?);
             }
-            b"comment" | b"obj_info" => textures += usize::from(text.word() == Some(b"TextureFile")),
+            b"comment" | b"obj_info" => {
+                if text.word() == Some(b"TextureFile") {
+                    textures.push(shown(text.rest()));
+                }
+            }
             b"end_header" => break,
             b"" => {}
             _ => {

@@ -1,4 +1,4 @@
-//! The element `vertex`: positions, normals, colours.
+//! The element `vertex`: positions, normals, colours, texture coordinates.
 
 use super::header::{Element, Kind};
 use super::source::Source;
@@ -8,7 +8,7 @@ use crate::vector::unit_or_zero;
 use crate::{Error, Format, Vertex};
 
 /// What a vertex can have: places in a row of numbers.
-const NAMES: [&[&str]; 10] = [
+const NAMES: [&[&str]; 12] = [
     &["x"],
     &["y"],
     &["z"],
@@ -19,16 +19,24 @@ const NAMES: [&[&str]; 10] = [
     &["green", "g", "diffuse_green"],
     &["blue", "b", "diffuse_blue"],
     &["alpha", "a", "diffuse_alpha"],
+    &["s", "u", "texture_u", "texture_s", "u1"],
+    &["t", "v", "texture_v", "texture_t", "v1"],
 ];
 const RED: usize = 6;
 const ALPHA: usize = 9;
+const U: usize = 10;
 
-/// The vertices, and whether they have normals.
-pub(super) fn read<S: Source>(
-    element: &Element,
-    source: &mut S,
-    budget: &mut Budget,
-) -> Result<(Vec<Vertex>, bool), Error> {
+/// What the file says of its vertices.
+#[derive(Default)]
+pub(super) struct Vertices {
+    pub(super) vertices: Vec<Vertex>,
+    pub(super) has_normals: bool,
+    /// As many, or none at all; v goes down.
+    pub(super) uvs: Vec<[f32; 2]>,
+}
+
+/// The vertices.
+pub(super) fn read<S: Source>(element: &Element, source: &mut S, budget: &mut Budget) -> Result<Vertices, Error> {
     let place_of = |name: &str| NAMES.iter().position(|names| names.contains(&name));
     // For each property its place in the row, if it has one. The first property of a kind counts.
     let mut kinds: [Option<Kind>; NAMES.len()] = [None; NAMES.len()];
@@ -45,9 +53,10 @@ pub(super) fn read<S: Source>(
         let message = "the element 'vertex' has no properties 'x', 'y' and 'z'";
         return Err(Error::text(Format::Ply, element.line, message));
     }
-    let (has_normals, has_colors) = (all(3..6), all(RED..ALPHA));
+    let (has_normals, has_colors, has_uvs) = (all(3..6), all(RED..ALPHA), all(U..U + 2));
     budget.vertices(element.count)?;
     let mut vertices = Vec::with_capacity(element.count as usize);
+    let mut uvs = Vec::with_capacity(if has_uvs { element.count as usize } else { 0 });
     for _ in 0..element.count {
         let mut row = [0.0; NAMES.len()];
         for (property, place) in element.properties.iter().zip(&places) {
@@ -58,6 +67,10 @@ pub(super) fn read<S: Source>(
                     source.skip(property.kind, count)?;
                 }
             }
+        }
+        if has_uvs {
+            // PLY's v goes up.
+            uvs.push([row[U] as f32, (1.0 - row[U + 1]) as f32]);
         }
         vertices.push(Vertex {
             position: [row[0] as f32, row[1] as f32, row[2] as f32],
@@ -72,7 +85,7 @@ pub(super) fn read<S: Source>(
     if has_colors {
         linearize(&mut vertices, [kinds[RED], kinds[RED + 1], kinds[RED + 2], kinds[ALPHA]]);
     }
-    Ok((vertices, has_normals))
+    Ok(Vertices { vertices, has_normals, uvs })
 }
 
 /// A colour channel as stored: floats as they are, whole numbers as parts of their type's largest.

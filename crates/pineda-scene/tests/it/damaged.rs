@@ -3,9 +3,12 @@
 
 use std::path::Path;
 
-use pineda_scene::{Bounds, Folder, Format, Framing, Limits, NoFiles, Resolver, Scene, Texels, View, load_bytes};
+use pineda_scene::{
+    Bounds, Folder, Format, Framing, Limits, Model, NoFiles, Pose, Resolver, Scene, Texels, View, load_bytes,
+};
 
-use crate::gltf_file::File;
+use crate::gltf_file::{File, push};
+use crate::images::{data_uri, pixel, textured};
 use crate::models;
 
 /// Small, so that a damaged file cannot make the test slow.
@@ -22,20 +25,29 @@ const LIMITS: Limits = Limits {
 };
 
 fn try_to_read(bytes: &[u8], format: Format, files: &dyn Resolver) {
-    let Ok(loaded) = load_bytes(bytes, format, files, &LIMITS) else { return };
-    let scene = loaded.scene;
+    let Ok(model) = Model::from_bytes(bytes, format, files, &LIMITS) else { return };
+    // In the middle of an animation, if there is one.
+    let animation = model.contents().animations.first().map(|_| 0.into());
+    let time = model.contents().animations.first().map_or(0.0, |animation| animation.duration / 2.0);
+    if animation.is_some()
+        && let Ok(loaded) = model.scene(&Pose { animation, time, ..Pose::default() })
+    {
+        check(&loaded.scene);
+    }
+    if let Ok(loaded) = model.into_scene(&Pose::default()) {
+        check(&loaded.scene);
+    }
+}
+
+/// What a renderer relies on.
+fn check(scene: &Scene) {
     for object in &scene.objects {
         assert!(!object.is_empty() && object.material < scene.materials.len());
         for v in object.indices() {
             assert!(object.vertices[v as usize].position.iter().all(|c| c.is_finite()));
         }
     }
-    check(&scene);
-    Framing::new(&Bounds::of(&scene).unwrap(), &View::default()).unwrap();
-}
-
-/// What a renderer relies on.
-fn check(scene: &Scene) {
+    Framing::new(&Bounds::of(scene).unwrap(), &View::default()).unwrap();
     for object in &scene.objects {
         let count = object.vertices.len();
         assert!(object.uvs.iter().all(|uvs| uvs.len() == count));
@@ -173,6 +185,8 @@ fn seeds() -> Vec<(Format, Vec<u8>)> {
         (Format::Ply, binary_ply("binary_big_endian", true)),
         (Format::Gltf, gltf.text().into_bytes()),
         (Format::Gltf, gltf.glb()),
+        (Format::Gltf, moving_gltf().text().into_bytes()),
+        (Format::Gltf, moving_gltf().glb()),
     ]
 }
 
@@ -190,6 +204,42 @@ fn everything_gltf() -> File {
     file.json["materials"] = json!([{"pbrMetallicRoughness": {"baseColorFactor": [1, 0, 0, 1]}, "alphaMode": "MASK"}]);
     file.primitive()["material"] = json!(0);
     file.primitive()["mode"] = json!(5);
+    file
+}
+
+/// A skin, a morph target, an animation of both, an image, instances and a compressed buffer view.
+fn moving_gltf() -> File {
+    use serde_json::json;
+    let image = data_uri(&pixel());
+    let mut file = textured(json!({"uri": image}));
+    let joints = file.accessor(&[0, 1, 0, 0].repeat(4), 5121, "VEC4", 4);
+    let weights = file.accessor(&[200, 55, 0, 0].repeat(4), 5121, "VEC4", 4);
+    let target = file.floats("VEC3", &[0.1; 12]);
+    let matrix = [1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 1.0, 2.0, 3.0, 1.0];
+    let matrices = file.floats("MAT4", &[matrix, matrix].concat());
+    let times = file.floats("SCALAR", &[0.0, 1.0]);
+    let turns = file.floats("VEC4", &[0.0, 0.0, 0.0, 1.0, 0.0, 0.6, 0.0, 0.8]);
+    let amounts = file.floats("SCALAR", &[0.0, 0.5, 1.0, 1.0, 0.5, 0.0]);
+    let places = file.floats("VEC3", &[1.0; 6]);
+    let compressed = file.view(&[0xd1, 8, 2, 2, 0, 0, 0, 0]);
+    file.json["bufferViews"][compressed]["extensions"] = json!({"EXT_meshopt_compression": {
+        "buffer": 0, "byteOffset": file.json["bufferViews"][compressed]["byteOffset"], "byteLength": 8, "byteStride": 2, "count": 3, "mode": "INDICES"}});
+    let indices = json!({"bufferView": compressed, "componentType": 5123, "type": "SCALAR", "count": 3});
+    let indices = push(&mut file.json["accessors"], indices);
+    file.attribute("JOINTS_0", joints);
+    file.attribute("WEIGHTS_0", weights);
+    file.primitive()["targets"] = json!([{"POSITION": target}]);
+    file.primitive()["indices"] = json!(indices);
+    file.json["meshes"][0]["weights"] = json!([0.5]);
+    file.json["skins"] = json!([{"joints": [1, 2], "inverseBindMatrices": matrices}]);
+    let instances = json!({"EXT_mesh_gpu_instancing": {"attributes": {"TRANSLATION": places}}});
+    file.json["nodes"] =
+        json!([{"mesh": 0, "skin": 0}, {"children": [2]}, {"scale": [1, 2, 3]}, {"mesh": 0, "extensions": instances}]);
+    file.json["scenes"][0]["nodes"] = json!([0, 1, 3]);
+    file.json["animations"] = json!([{
+        "samplers": [{"input": times, "output": turns}, {"input": times, "output": amounts, "interpolation": "CUBICSPLINE"}],
+        "channels": [{"sampler": 0, "target": {"node": 2, "path": "rotation"}}, {"sampler": 1, "target": {"node": 0, "path": "weights"}}],
+    }]);
     file
 }
 

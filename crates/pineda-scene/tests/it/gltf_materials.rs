@@ -173,6 +173,8 @@ fn gltf_material_numbers_out_of_range() {
     assert_eq!((material.metallic_factor, material.roughness_factor), (1.0, 0.0));
     assert_eq!((material.emissive_factor, material.ior), ([0.0; 3], 1.5));
     assert_eq!(material.volume.unwrap().attenuation_distance, f32::INFINITY);
+    let clear = json!({"attenuationDistance": f64::MAX});
+    assert_eq!(extension("KHR_materials_volume", clear).volume.unwrap().attenuation_distance, f32::INFINITY);
 }
 
 #[test]

@@ -1,7 +1,9 @@
 use std::io;
 
-use pineda_scene::{AlphaMode, Error, Format, Limits, Loaded, Normals, load_bytes};
+use pineda_scene::{AlphaMode, Error, Format, Limits, Loaded, Normals, Texels, TextureRef, Wrap, load_bytes};
+use png::{BitDepth, ColorType};
 
+use crate::images::png;
 use crate::{corners, only, positions};
 
 fn read(obj: &str) -> Loaded {
@@ -141,10 +143,118 @@ fn obj_material_library() {
     let loaded = with_files(&obj, Box::leak(Box::new([("my colours.mtl", mtl)])));
     let factors: Vec<_> = loaded.scene.materials.iter().map(|m| (m.base_color_factor, m.alpha_mode)).collect();
     assert_eq!(factors, [([1.0, 0.0, 0.0, 1.0], AlphaMode::Opaque), ([0.0, 1.0, 0.0, 0.5], AlphaMode::Blend)]);
-    assert_eq!(
-        loaded.notes,
-        ["textures are not drawn yet: 1 image ignored", "transparency is not drawn yet: 1 material drawn opaque",]
+    assert_eq!(loaded.notes, ["image 'a.png' not found"]);
+    assert_eq!(loaded.scene.materials[0].base_color_texture, None);
+}
+
+/// A library in a folder of its own, with images of one pixel in it.
+fn textured(mtl: &str, images: &[(&str, [u8; 4])]) -> Loaded {
+    let images: Vec<(String, Vec<u8>)> = images
+        .iter()
+        .map(|(name, color)| (format!("lib/{name}"), png(ColorType::Rgba, BitDepth::Eight, 1, 1, color)))
+        .collect();
+    let mtl = format!("newmtl m\n{mtl}");
+    let files = move |path: &str, _max: u64| match path {
+        "lib/a.mtl" => Ok(mtl.clone().into_bytes()),
+        path => images.iter().find(|i| i.0 == path).map(|i| i.1.clone()).ok_or(std::io::ErrorKind::NotFound.into()),
+    };
+    let obj = format!("mtllib lib/a.mtl\n{SQUARE}vt 0 0\nvt 1 0.25\nusemtl m\nf 1/1 2/2 3/-1\nf 1/1 3/1 4\n");
+    load_bytes(obj.as_bytes(), Format::Obj, &files, &Limits::default()).unwrap()
+}
+
+fn pixels(loaded: &Loaded, reference: Option<TextureRef>) -> [u8; 4] {
+    let image = loaded.scene.textures[reference.expect("a texture").texture].image;
+    let Texels::Rgba8(texels) = &loaded.scene.images[image].texels else { panic!("8 bits") };
+    texels[0]
+}
+
+#[test]
+fn obj_texture_coordinates() {
+    let loaded = textured("", &[]);
+    let object = only(&loaded);
+    // v goes down; corners with other coordinates are other vertices; none at all is the corner of the image.
+    assert_eq!(object.uvs, [[[0.0, 1.0], [1.0, 0.75], [1.0, 0.75], [0.0, 1.0], [0.0, 0.0]]]);
+    assert_eq!(object.triangles, [[0, 1, 2], [0, 3, 4]]);
+    let loaded = read(&format!("{SQUARE}vt 0.5\nf 1/1 2/1 3/1\n"));
+    assert_eq!(only(&loaded).uvs, [[[0.5, 1.0]; 3]]);
+    assert!(only(&read(&format!("{SQUARE}vt 1 1\nf 1 2 3\n"))).uvs.is_empty());
+    // Those that are not there cost the texture only.
+    let loaded = read(&format!("{SQUARE}vt 0 0\nf 1/1 2/-2 3/9 4/0\n"));
+    assert_eq!(only(&loaded).uvs, [[[0.0, 1.0], [0.0; 2], [0.0; 2], [0.0; 2]]]);
+    assert_eq!(loaded.notes, ["3 vertices name texture coordinates that the file does not have"]);
+    crate::fails(Format::Obj, format!("{SQUARE}f 1/x 2 3"), &["line 5", "'1/x'", "whole numbers"]);
+}
+
+#[test]
+fn obj_images_become_textures() {
+    let images: &[(&str, [u8; 4])] =
+        &[("c.png", [1, 2, 3, 255]), ("e.png", [4, 5, 6, 255]), ("n.png", [128, 127, 255, 255])];
+    let loaded = textured(
+        "Kd 1 1 1\nmap_Kd -clamp on -s 2 3 -o 0.25 0.5 c.png\nmap_Ke C:\\somewhere\\else\\e.png\nmap_Bump -bm 0.5 n.png",
+        images,
     );
+    assert!(loaded.notes.is_empty(), "{:?}", loaded.notes);
+    let material = &loaded.scene.materials[0];
+    assert_eq!(pixels(&loaded, material.base_color_texture), [1, 2, 3, 255]);
+    assert_eq!(pixels(&loaded, material.emissive_texture), [4, 5, 6, 255]);
+    assert_eq!((pixels(&loaded, material.normal_texture), material.normal_scale), ([128, 127, 255, 255], 0.5));
+    assert_eq!(material.emissive_factor, [1.0; 3]);
+    let base = material.base_color_texture.unwrap();
+    // 1 - ((1 - v) * 3 + 0.5), with v going down.
+    assert_eq!(base.transform, [[2.0, 0.0, 0.25], [0.0, 3.0, -2.5]]);
+    let wrap = |reference: Option<TextureRef>| loaded.scene.textures[reference.unwrap().texture].sampler.wrap_s;
+    assert_eq!(wrap(material.base_color_texture), Wrap::ClampToEdge);
+    assert_eq!(wrap(material.emissive_texture), Wrap::Repeat);
+}
+
+#[test]
+fn obj_images_of_one_channel_are_put_together() {
+    let images: &[(&str, [u8; 4])] = &[
+        ("c.png", [1, 2, 3, 255]),
+        ("d.png", [77, 77, 77, 255]),
+        ("both.png", [1, 2, 3, 99]),
+        ("r.png", [10, 10, 10, 255]),
+        ("m.png", [20, 20, 20, 255]),
+    ];
+    let of = |mtl: &str| {
+        let loaded = textured(mtl, images);
+        assert!(loaded.notes.is_empty(), "{:?}", loaded.notes);
+        loaded
+    };
+    let alpha = |mtl: &str| {
+        let loaded = of(mtl);
+        assert_eq!(loaded.scene.materials[0].alpha_mode, AlphaMode::Blend);
+        pixels(&loaded, loaded.scene.materials[0].base_color_texture)
+    };
+    assert_eq!(alpha("map_Kd c.png\nmap_d d.png"), [1, 2, 3, 77]);
+    assert_eq!(alpha("map_Kd both.png\nmap_d both.png"), [1, 2, 3, 99]);
+    assert_eq!(alpha("map_Kd c.png\nmap_d both.png"), [1, 2, 3, 99]);
+    assert_eq!(alpha("map_d d.png"), [255, 255, 255, 77]);
+    let rough = |mtl: &str| {
+        let loaded = of(mtl);
+        let material = &loaded.scene.materials[0];
+        let [_, green, blue, _] = pixels(&loaded, material.metallic_roughness_texture);
+        (green, blue, material.roughness_factor, material.metallic_factor)
+    };
+    assert_eq!(rough("map_Pr r.png\nmap_Pm m.png"), (10, 20, 1.0, 1.0));
+    assert_eq!(rough("Pm 0.5\nmap_Pr r.png"), (10, 255, 1.0, 0.5));
+    assert_eq!(rough("Pr 0.5\nmap_Pm m.png"), (255, 20, 0.5, 1.0));
+    // Heights are not normals.
+    let loaded = textured("bump d.png", images);
+    assert_eq!(loaded.notes, ["image 'd.png' has heights, not normals: left out"]);
+    assert_eq!(loaded.scene.materials[0].normal_texture, None);
+}
+
+#[test]
+fn obj_images_that_cannot_be_had() {
+    let note = |mtl: &str| {
+        let loaded = textured(mtl, &[("a.png", [1; 4])]);
+        assert!(loaded.scene.textures.is_empty());
+        loaded.notes.join("; ")
+    };
+    assert_eq!(note("map_Kd b.png\nmap_Ke b.png"), "image 'b.png' not found");
+    assert_eq!(note("map_Kd ../../b.png"), "image '../../b.png' not found");
+    assert!(note("map_Kd ..").contains("outside the model's folder"));
 }
 
 #[test]
@@ -173,16 +283,26 @@ fn obj_missing_library_costs_the_colours_only() {
 
 #[test]
 fn obj_notes_what_is_skipped() {
-    let loaded = read(&format!("{SQUARE}f 1 2 3\nf 1 2\nf\nl 1 2 3\np 1\np 2\ncurv 0 1 1 2\nnonsense 1\ns off\n"));
+    let loaded = read(&format!("{SQUARE}f 1 2 3\nf 1 2\nf\ncurv 0 1 1 2\nnonsense 1\ns off\n"));
     assert_eq!(
         loaded.notes,
-        [
-            "2 faces with fewer than three corners skipped",
-            "1 line element skipped",
-            "2 point elements skipped",
-            "1 free-form curve or surface skipped",
-        ]
+        ["2 faces with fewer than three corners skipped", "1 free-form curve or surface skipped",]
     );
+}
+
+#[test]
+fn obj_lines_and_points() {
+    let loaded = read(&format!("{SQUARE}l 1 2 3\nl -1 1\np 2 4\ng faces\nf 1 2 3\np 1\n"));
+    let [strokes, faces] = &loaded.scene.objects[..] else { panic!("two groups") };
+    assert_eq!((&strokes.lines[..], &strokes.points[..]), (&[[0, 1], [1, 2], [3, 0]][..], &[1, 3][..]));
+    assert!(strokes.triangles.is_empty() && strokes.vertices.len() == 4);
+    assert_eq!((&faces.triangles[..], &faces.points[..]), (&[[0, 1, 2]][..], &[0][..]));
+    assert!(loaded.notes.is_empty());
+    crate::fails(Format::Obj, format!("{SQUARE}l 1 2\nl 1 9"), &["line 5", "line 2", "vertex 9", "has 4"]);
+    crate::fails(Format::Obj, format!("{SQUARE}p 1 2 9"), &["point 3", "vertex 9"]);
+    let loaded = read("v 0 0 0\nv 1 0 0\nv nan 0 0\nl 1 2 3\np 3 1\n");
+    assert_eq!((only(&loaded).lines.len(), only(&loaded).points.len()), (1, 1));
+    assert_eq!(loaded.notes, ["2 lines and points dropped: infinite or not a number"]);
 }
 
 #[test]
@@ -220,7 +340,6 @@ fn obj_errors_name_the_line() {
 #[test]
 fn obj_without_triangles_says_what_there_is() {
     crate::fails(Format::Obj, "", &["nothing to draw"]);
-    crate::fails(Format::Obj, "v 0 0 0\nv 1 1 1\nl 1 2", &["nothing to draw", "1 line element skipped"]);
     crate::fails(Format::Obj, "v 0 0 0\nv 1 1 nan\nf 1 2 2", &["nothing to draw", "not a number"]);
 }
 

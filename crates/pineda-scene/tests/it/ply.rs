@@ -1,4 +1,4 @@
-use pineda_scene::{Format, Loaded, Normals};
+use pineda_scene::{Format, Limits, Loaded, Normals, TextureRef, load_bytes};
 
 use crate::{only, positions};
 
@@ -172,8 +172,6 @@ fn ply_faces_may_come_before_vertices() {
 
 #[test]
 fn ply_notes() {
-    let text = square("4 0 1 2 3").replace("element vertex", "comment TextureFile a.png\nelement vertex");
-    assert_eq!(read(text).notes, ["textures are not drawn yet: 1 image ignored"]);
     let text = square("4 0 1 2 3 9").replace("end_header", "property uchar red\nend_header");
     assert_eq!(read(text).notes, ["colours of faces ignored: only vertices' are drawn"]);
     let text = square("4 0 1 2 3\n2 0 1").replace("face 1", "face 2");
@@ -184,9 +182,57 @@ fn ply_notes() {
 }
 
 #[test]
-fn ply_points_only_is_an_error() {
-    let text = format!("ply\nformat ascii 1.0\nelement vertex 1\n{XYZ}end_header\n1 2 3\n");
-    crate::fails(Format::Ply, text, &["nothing to draw", "points are not drawn: 1 vertex"]);
+fn ply_points_only() {
+    let text = format!("ply\nformat ascii 1.0\nelement vertex 3\n{XYZ}end_header\n1 2 3\nnan 0 0\n4 5 6\n");
+    let loaded = read(text);
+    assert_eq!((&only(&loaded).points[..], only(&loaded).triangles.len()), (&[0, 2][..], 0));
+    assert_eq!(loaded.notes, ["1 line or point dropped: infinite or not a number"]);
+    // Where there are faces, the other vertices are no points.
+    assert!(only(&read(square("3 0 1 2"))).points.is_empty());
+    let none = format!("ply\nformat ascii 1.0\nelement vertex 0\n{XYZ}end_header\n");
+    crate::fails(Format::Ply, none, &["nothing to draw"]);
+}
+
+#[test]
+fn ply_texture_coordinates_and_their_image() {
+    for (u, v) in [("s", "t"), ("u", "v"), ("texture_u", "texture_v")] {
+        let vertex = format!("{XYZ}property float {u}\nproperty double {v}\n");
+        let text = ascii(3, &vertex, 1, FACE, "0 0 0 0 0\n1 0 0 1 0.25\n0 1 0 0.5 1\n3 0 1 2\n");
+        let text = text.replace("element vertex", "comment TextureFile a b.png\nelement vertex");
+        let files = |path: &str, _max: u64| match path {
+            "a b.png" => Ok(crate::images::pixel()),
+            _ => Err(std::io::ErrorKind::NotFound.into()),
+        };
+        let loaded = load_bytes(text.as_bytes(), Format::Ply, &files, &Limits::default()).unwrap();
+        assert_eq!(only(&loaded).uvs, [[[0.0, 1.0], [1.0, 0.75], [0.5, 0.0]]]);
+        assert_eq!(loaded.scene.materials[0].base_color_texture, Some(TextureRef::new(0)));
+        assert_eq!(&*loaded.scene.images[0].name, "a b.png");
+        assert!(loaded.notes.is_empty());
+        let loaded = read(&text);
+        assert_eq!(loaded.notes, ["image 'a b.png' not found"]);
+        assert_eq!(loaded.scene.materials[0].base_color_texture, None);
+        assert_eq!(read(text.replace("a b.png", "../a.png")).notes.len(), 1);
+    }
+}
+
+/// MeshLab's: for each corner of a face. Corners that differ in them are different vertices.
+#[test]
+fn ply_texture_coordinates_of_faces() {
+    let text = ascii(
+        4,
+        XYZ,
+        3,
+        &format!("{FACE}property list uchar float texcoord\n"),
+        "0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2 6 0 0 1 0 1 1\n2 0 1 0\n3 0 2 3 6 0 0 1 1 0.5 0.75\n3 0 1 3 2 0.5 0.5\n",
+    )
+    .replace("face 3", "face 4");
+    let loaded = read(text);
+    let object = only(&loaded);
+    assert_eq!(object.triangles, [[0, 1, 2], [0, 2, 3], [4, 5, 6]]);
+    let uvs = [[0.0, 1.0], [1.0, 1.0], [1.0, 0.0], [0.5, 0.25], [0.5, 0.5], [0.0, 0.0], [0.0, 0.0]];
+    assert_eq!(object.uvs, [uvs]);
+    assert_eq!(positions(object)[4..], [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]);
+    assert_eq!(loaded.notes, ["1 face with fewer than three corners skipped"]);
 }
 
 #[test]

@@ -9,10 +9,10 @@ use crate::math::Vec4;
 use crate::shading::packet::{PacketBatch, VaryingLayout};
 use crate::shading::run::{RECORD_HEADER, Source, record_rows};
 use crate::shading::{
-    __Layout as Layout, Closure, ClosureFragment, FragmentKind, Interpolation, MAX_CLIP_DISTANCES, Native,
-    OutputLayout, Outputs, Shader, Varyings, native,
+    __Layout as Layout, Closure, ClosureFragment, ClosureKind, FragmentKind, Interpolation, MAX_CLIP_DISTANCES, Native,
+    OutputLayout, Outputs, Shader, StageUses, Varyings, native,
 };
-use crate::wide::{Simd, dispatch};
+use crate::wide::{Simd, dispatch_shader};
 use fearless_simd::Level;
 use std::borrow::Borrow;
 
@@ -24,7 +24,7 @@ pub(crate) trait DrawCall: Sync {
     fn vertex_count(&self) -> usize;
     fn instance_count(&self) -> usize;
     fn layout(&self) -> VaryingLayout;
-    fn discards(&self) -> bool;
+    fn uses(&self) -> StageUses;
     fn outputs(&self) -> OutputLayout;
     /// The position of the vertex of that [number](Source).
     fn position(&self, vertex: usize) -> [f32; 4];
@@ -36,10 +36,6 @@ pub(crate) trait DrawCall: Sync {
     }
     /// Runs the vertex stage for the vertices at places `first_place` on, as many as there are screen vertices.
     fn run_vertices(&self, level: Level, job: VertexJob<'_>);
-    /// Whether the fragment stage asks which triangles it shades.
-    fn reads_ids(&self) -> bool {
-        false
-    }
     /// Runs the fragment stage.
     fn run_fragments(&self, level: Level, batch: &mut PacketBatch);
 
@@ -129,15 +125,12 @@ impl<Sh: Shader, G: Input<In = Sh::Vertex>> DrawCall for ShaderDraw<'_, Sh, G> {
     fn layout(&self) -> VaryingLayout {
         let interpolation = <Sh as WithPointCoord>::INTERPOLATION;
         let layout = VaryingLayout::new(interpolation, <Sh as FragmentKind>::DERIVATIVES);
-        VaryingLayout { point_coord: Sh::POINT_COORD, ..layout }
+        let is_plain = layout.is_plain && !Sh::BARYCENTRICS;
+        VaryingLayout { point_coord: Sh::POINT_COORD, barycentrics: Sh::BARYCENTRICS, is_plain, ..layout }
     }
 
-    fn discards(&self) -> bool {
-        <Sh as FragmentKind>::DISCARDS
-    }
-
-    fn reads_ids(&self) -> bool {
-        <Sh as FragmentKind>::IDS
+    fn uses(&self) -> StageUses {
+        StageUses::of::<Sh>()
     }
 
     fn outputs(&self) -> OutputLayout {
@@ -159,11 +152,11 @@ impl<Sh: Shader, G: Input<In = Sh::Vertex>> DrawCall for ShaderDraw<'_, Sh, G> {
     }
 
     fn run_vertices(&self, level: Level, job: VertexJob<'_>) {
-        dispatch!(level, s => run_vertices(s, self.shader, &self.input, job));
+        dispatch_shader!(level, s => run_vertices(s, self.shader, &self.input, job));
     }
 
     fn run_fragments(&self, level: Level, batch: &mut PacketBatch) {
-        dispatch!(level, s => batch.run(s, self.shader));
+        dispatch_shader!(level, s => batch.run(s, self.shader));
     }
 }
 
@@ -221,8 +214,8 @@ where
         VaryingLayout::new(T::INTERPOLATION, false)
     }
 
-    fn discards(&self) -> bool {
-        false
+    fn uses(&self) -> StageUses {
+        StageUses::of::<ClosureKind>()
     }
 
     fn outputs(&self) -> OutputLayout {
@@ -238,7 +231,7 @@ where
     }
 
     fn run_vertices(&self, level: Level, job: VertexJob<'_>) {
-        dispatch!(level, s => run_vertices::<_, G, T, _>(s, &VertexClosure(&self.vertex), &self.input, job));
+        dispatch_shader!(level, s => run_vertices::<_, G, T, _>(s, &VertexClosure(&self.vertex), &self.input, job));
     }
 
     fn run_fragments(&self, _: Level, batch: &mut PacketBatch) {

@@ -77,7 +77,8 @@ impl<V: Copy + Sync, I: Copy + Sync> Input for Instances<'_, V, I> {
 
     #[inline(always)]
     fn fetch(&self, vertex: usize, instance: usize) -> Instanced<V, I> {
-        Instanced { vertex: self.vertices[vertex], instance: self.instances[instance], instance_id: instance as u32 }
+        let (vertex_id, instance_id) = (vertex as u32, instance as u32);
+        Instanced { vertex: self.vertices[vertex], vertex_id, instance: self.instances[instance], instance_id }
     }
 }
 

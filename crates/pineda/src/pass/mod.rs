@@ -106,7 +106,7 @@ impl<'a> Pass<'a> {
     /// Adds a draw of a mesh once for each instance.
     ///
     /// The instances are anything that can be copied: places, matrices, colours, or `()` where the number alone is enough. The vertex stage gets
-    /// each vertex together with the instance's data and number, as an [`Instanced`]. The picture is that of as many draws, one after the other, at a small part of
+    /// each vertex together with its number and the instance's data and number, as an [`Instanced`]. The picture is that of as many draws, one after the other, at a small part of
     /// their cost: time goes with the number of vertices and triangles, and memory stays within [`Settings::memory`](crate::Settings::memory) as ever.
     ///
     /// ```
@@ -273,7 +273,7 @@ impl<'a> Pass<'a> {
 /// Vertices, and which of them are drawn: as a list of triangles, unless [`DrawState::topology`] says otherwise.
 #[derive(Debug)]
 pub struct Mesh<'a, V> {
-    /// Anything that the vertex stage takes.
+    /// Anything that the vertex stage takes; `&[(); 3]`, if that needs no more than their [numbers](Instanced::vertex_id).
     pub vertices: &'a [V],
     /// Which vertices make triangles.
     pub indices: Indices<'a>,

@@ -1,5 +1,8 @@
 //! How a draw meets pixels with several samples.
 
+use super::Pass;
+use crate::{Error, Target};
+
 /// Where the fragments of a multisampled target are shaded: WGSL's and GLSL's interpolation sampling `centroid`, `center` and `sample`.
 ///
 /// Coverage, depth and stencil are always each sample's own, and a fragment's colour goes to those of its samples that pass.
@@ -38,4 +41,11 @@ pub enum Sampling {
     Center,
     /// Once a sample, there: as if the picture had as many more pixels.
     Sample,
+}
+
+/// Whether fragment stages that ask for a sample are run once a sample.
+pub(crate) fn check_samples(pass: &Pass<'_>, target: &Target<'_>) -> Result<(), Error> {
+    let asks_in_vain = |state: &super::DrawState| !target.samples.is_one() && state.sampling != Sampling::Sample;
+    let first = pass.draws.iter().position(|call| call.uses().sample_index && asks_in_vain(call.state()));
+    first.map_or(Ok(()), |draw| Err(Error::SampleIndex { draw }))
 }

@@ -16,7 +16,9 @@ use crate::raster::reach::PixelRect;
 use crate::raster::samples::Samples;
 use crate::raster::stroke::{Stroke, StrokeShape};
 use crate::raster::triangle_id::MAX_BATCH_TRIANGLES;
+use crate::shading::StageUses;
 use crate::shading::run::Source;
+use crate::wide::{Simd, f32x16};
 use std::ops::Range;
 
 /// Bytes that a triangle takes in records and bins for each sample of a pixel, about; and in the list of those that are assembled.
@@ -133,6 +135,15 @@ impl DepthRule {
         // Adding 0 makes 0 of -0.
         let [a, b] = [viewport.min_depth, viewport.max_depth].map(|z| (z + 0.0).to_bits() as i32);
         Self { compare, low: a.min(b), high: a.max(b) }
+    }
+
+    /// Clamps depths, whatever they are: of NaN it makes the least. (Those of triangles are never NaN, and clamped as integers.)
+    #[inline(always)]
+    pub(crate) fn clamped<S: Simd>(&self, s: S, z: f32x16<S>) -> f32x16<S> {
+        let low = f32x16::splat(s, f32::from_bits(self.low as u32));
+        let high = f32x16::splat(s, f32::from_bits(self.high as u32));
+        let z = z.simd_gt(low).select(z, low);
+        z.simd_lt(high).select(z, high)
     }
 
     /// Whether depths are clamped to no less than 0 to 1.
@@ -365,7 +376,7 @@ impl<'p> Batch<'p> {
         let viewport = state.viewport.unwrap_or(Viewport::whole(width, height));
         let rect = covered_rect(&viewport, state.scissor, width, height);
         let whole = PixelRect { x0: 0, y0: 0, x1: width as i32, y1: height as i32 };
-        let kind = kind(state, call.discards(), call.outputs().kinds.len(), self.runs.len());
+        let kind = kind(state, &call.uses(), call.outputs().kinds.len(), self.runs.len());
         let depth = DepthRule::new(state.depth.compare, &viewport);
         // Blocks of 4 x 4 pixels may reach over the border, where nothing may be counted.
         let cuts_blocks = !width.is_multiple_of(4) || !height.is_multiple_of(4);
@@ -416,12 +427,12 @@ impl<'p> Batch<'p> {
 }
 
 /// How run `run` becomes pixels.
-fn kind(state: &DrawState, discards: bool, outputs: usize, run: usize) -> SegmentKind {
+fn kind(state: &DrawState, uses: &StageUses, outputs: usize, run: usize) -> SegmentKind {
     let DepthState { compare, write } = state.depth;
     // Only what leaves its depth behind may wait: else the visibility buffer would not know the depth of what it shows.
     let leaves_depth = write || compare == Compare::Equal;
     let is_smooth = matches!(strokes::shape(state), Some(StrokeShape::Smooth { .. }));
-    if is_smooth || state.stencil.is_some() || discards || state.alpha_to_coverage || !leaves_depth {
+    if is_smooth || state.stencil.is_some() || uses.decides() || state.alpha_to_coverage || !leaves_depth {
         SegmentKind::Ordered { run }
     } else if state.writes_no_color(outputs) {
         SegmentKind::DepthOnly

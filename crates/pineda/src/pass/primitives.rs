@@ -184,11 +184,47 @@ pub enum ProvokingVertex {
     Last,
 }
 
-/// What the vertex stage of an [instanced](crate::Pass::draw_instanced) draw takes: a vertex, and the instance that it is drawn for.
+/// What the vertex stage of an [instanced](crate::Pass::draw_instanced) draw takes: a vertex, and the instance that it is drawn for, with their numbers.
+///
+/// The numbers may be all that a draw needs: `()` is a vertex without data, and any number of them takes no memory. A triangle over the whole picture, of nothing but
+/// its corners' numbers:
+///
+/// ```
+/// use pineda::*;
+///
+/// struct Everywhere;
+///
+/// #[shader]
+/// impl Shader for Everywhere {
+///     type Vertex = Instanced<(), ()>;
+///     type Varyings<L: Lanes> = Vec2<L>;
+///
+///     fn vertex(&self, v: &Self::Vertex) -> (Vec4, Vec2) {
+///         // (0, 0), (2, 0) and (0, 2): the picture is the square up to (1, 1).
+///         let [u, v] = [v.vertex_id << 1 & 2, v.vertex_id & 2].map(|x| x as f32);
+///         (Vec4::from([2.0 * u - 1.0, 1.0 - 2.0 * v, 0.0, 1.0]), Vec2::from([u, v]))
+///     }
+///
+///     fn fragment<L: Lanes>(&self, f: &mut Fragment<L, Self>) -> Rgba<L> {
+///         Rgba { r: f.x, g: f.y, b: f.splat(0.0), a: f.splat(1.0) }
+///     }
+/// }
+///
+/// let corners = Mesh { vertices: &[(); 3], indices: Indices::Sequential };
+/// let mut pass = Pass::new();
+/// pass.draw_instanced(&Everywhere, corners, &[()], DrawState::default());
+/// let mut pixels = vec![[0.0; 4]; 8 * 8];
+/// let mut target = Target { color: ColorBuffer::Rgba32F(&mut pixels), ..Target::new(8, 8) };
+/// Renderer::new(Settings::default())?.render(&pass, &mut target)?;
+/// assert_eq!((pixels[0], pixels[63]), ([0.0625, 0.0625, 0.0, 1.0], [0.9375, 0.9375, 0.0, 1.0]));
+/// # Ok::<(), Error>(())
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Instanced<V, I> {
     /// The mesh's vertex.
     pub vertex: V,
+    /// Its number in [`Mesh::vertices`](crate::Mesh::vertices), from 0: what the index says, where there are indices. Vulkan's `VertexIndex`, WebGPU's `vertex_index`.
+    pub vertex_id: u32,
     /// The instance's own data.
     pub instance: I,
     /// The instance's number, from 0: what [`Target::instance_ids`](crate::Target::instance_ids) shows.

@@ -5,6 +5,7 @@ mod stages;
 use super::colors::check;
 use super::kept::KeptTiles;
 use super::memory::{grow, uses_stencil, with_own};
+use super::multisample::check_samples;
 use super::plan::{Batch, Plan, plan};
 use super::validate::validate;
 use super::{DrawStatistics, Pass, Statistics};
@@ -105,6 +106,7 @@ impl Renderer {
         target.validate()?;
         let extents = validate(pass, self.level, self.threads)?;
         check(pass, target)?;
+        check_samples(pass, target)?;
         let mut others = plan(pass, &extents, target, self.settings.memory, draws.is_some());
         let first = others.next().unwrap_or_default();
         let grid = TileGrid::new(target.width, target.height, self.settings.tile.log2());

@@ -4,13 +4,12 @@
 //! again here, exactly, for the few lanes at triangles' borders. A triangle that covers all samples of a pixel covers its centre, too, which lies within
 //! their hull.
 
+use super::parts::{Parts, is_covered};
 use super::run::RunView;
-use crate::geometry::clip::{ClipTriangle, clip};
-use crate::geometry::raster_space::{HALF_PIXEL, SUBPIXELS, ScreenVertex};
+use crate::geometry::raster_space::{HALF_PIXEL, SUBPIXELS};
 use crate::pass::draw_call::DrawCall;
 use crate::raster::samples::Samples;
-use crate::raster::stroke::triangles_of;
-use crate::raster::top_left::{is_top_left, is_top_left_edge};
+use crate::raster::top_left::is_top_left;
 use crate::raster::triangle_id::TriangleId;
 use crate::wide::{Simd, i32x16, mask32x16};
 
@@ -48,24 +47,8 @@ impl Borders<'_> {
     }
 
     fn offset(&self, call: &dyn DrawCall, run: &RunView<'_>, id: TriangleId, center: [i32; 2]) -> [i32; 2] {
-        let covers = |offset: &[i32; 2]| {
-            let at = [center[0] + offset[0], center[1] + offset[1]];
-            if let Some(strokes) = &run.strokes {
-                let stroke = &strokes.strokes[id.number() - run.first_number];
-                let triangles = triangles_of(stroke, strokes.shape);
-                return triangles.is_none_or(|triangles| triangles.iter().any(|&corners| is_covered(corners, at)));
-            }
-            let places = run.places(id);
-            let screen = places.map(|place| run.screen[place]);
-            if !id.is_clipped() {
-                return is_covered(screen.map(ScreenVertex::place), at);
-            }
-            let triangle = ClipTriangle::of(call, places.map(|place| run.source.vertex(place)));
-            clip(run.projection, &triangle, screen).is_some_and(|clipped| {
-                clipped.triangles().iter().any(|corners| is_covered(corners.map(ScreenVertex::place), at))
-            })
-        };
-        first_covered(self.samples, covers)
+        let parts = Parts::of(call, run, id);
+        first_covered(self.samples, |offset| parts.cover([center[0] + offset[0], center[1] + offset[1]]))
     }
 }
 
@@ -146,22 +129,4 @@ fn far_offsets(x: [[i32; 16]; 3], y: [[i32; 16]; 3], mask: u32, samples: Samples
         [offsets[0][lane], offsets[1][lane]] = first_covered(samples, |&offset| is_covered(triangle, offset));
     }
     offsets
-}
-
-/// Whether a triangle on the raster covers a point, by the top-left rule.
-fn is_covered(mut triangle: [[i32; 2]; 3], at: [i32; 2]) -> bool {
-    let edge = |a: [i32; 2], b: [i32; 2], p: [i32; 2]| {
-        let [dx, dy] = [i64::from(b[0]) - i64::from(a[0]), i64::from(b[1]) - i64::from(a[1])];
-        dx * (i64::from(p[1]) - i64::from(a[1])) - dy * (i64::from(p[0]) - i64::from(a[0]))
-    };
-    let area = edge(triangle[0], triangle[1], triangle[2]);
-    if area < 0 {
-        triangle.swap(1, 2);
-    }
-    area != 0
-        && (0..3).all(|k| {
-            let (a, b) = (triangle[k], triangle[(k + 1) % 3]);
-            let e = edge(a, b, at);
-            e > 0 || (e == 0 && is_top_left_edge(b[0] - a[0], b[1] - a[1]))
-        })
 }

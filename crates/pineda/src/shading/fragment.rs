@@ -2,7 +2,7 @@
 
 use super::{Shader, Varyings};
 use crate::lanes::{Dual, Lanes};
-use crate::math::{Bool, Real, Splat, Uint, Vec2};
+use crate::math::{Bool, Real, Splat, ToLanes, Uint, Vec2, Vec3};
 use core::marker::PhantomData;
 use core::ops::Deref;
 
@@ -40,6 +40,14 @@ pub(crate) struct FragParts<L: Lanes, V> {
     pub(crate) point_coord: Vec2<L>,
     /// Triangle, instance and draw; anything if the stage does not ask for them.
     pub(crate) ids: [Uint<L>; 3],
+    /// With perspective, and without; anything if the stage does not ask for them.
+    pub(crate) barycentrics: [Vec3<L>; 2],
+    /// The depth that the stage writes; anything if it writes none.
+    pub(crate) depth: Real<L>,
+    /// The sample that is shaded, the samples that the fragment covers, and those that the stage lets it cover; anything if it does not ask for them, or leaves them.
+    pub(crate) sample_index: Uint<L>,
+    pub(crate) sample_mask: Uint<L>,
+    pub(crate) written_mask: Uint<L>,
     /// Whether the triangle shows its front.
     pub(crate) front_facing: Bool<L>,
     /// The lanes that cover something, less those that the stage discards.
@@ -59,6 +67,16 @@ pub trait FragmentKind {
     const POINT_COORD: bool;
     /// See [`Shader::IDS`].
     const IDS: bool;
+    /// See [`Shader::BARYCENTRICS`].
+    const BARYCENTRICS: bool;
+    /// See [`Shader::WRITES_DEPTH`].
+    const WRITES_DEPTH: bool;
+    /// See [`Shader::SAMPLE_INDEX`].
+    const SAMPLE_INDEX: bool;
+    /// See [`Shader::SAMPLE_MASK`].
+    const SAMPLE_MASK: bool;
+    /// See [`Shader::WRITES_SAMPLE_MASK`].
+    const WRITES_SAMPLE_MASK: bool;
 }
 
 impl<Sh: Shader> FragmentKind for Sh {
@@ -66,6 +84,11 @@ impl<Sh: Shader> FragmentKind for Sh {
     const DERIVATIVES: bool = Sh::DERIVATIVES;
     const POINT_COORD: bool = Sh::POINT_COORD;
     const IDS: bool = Sh::IDS;
+    const BARYCENTRICS: bool = Sh::BARYCENTRICS;
+    const WRITES_DEPTH: bool = Sh::WRITES_DEPTH;
+    const SAMPLE_INDEX: bool = Sh::SAMPLE_INDEX;
+    const SAMPLE_MASK: bool = Sh::SAMPLE_MASK;
+    const WRITES_SAMPLE_MASK: bool = Sh::WRITES_SAMPLE_MASK;
 }
 
 impl<L: Lanes, V: Copy, K> Frag<L, V, K> {
@@ -302,6 +325,300 @@ impl<L: Lanes, V: Copy, K: FragmentKind> Frag<L, V, K> {
         self.parts.ids
     }
 
+    /// Where in its triangle the fragment is shaded: how much each of the three vertices counts, with perspective. `barycentrics().x` is the triangle's first vertex's, and so on, in the
+    /// order in which it was submitted; of strips and fans the order of [`PrimitiveTopology`](crate::PrimitiveTopology)'s table.
+    ///
+    /// They are what [`Target::barycentrics`](crate::Target::barycentrics) holds, bit for bit, where that is of the same place. In lines the first two count for their start and their end, in points the
+    /// first; on the edges and corners of a triangle they are the triangle's. They add up to 1, give or take 2^-22, and lie in 0 to 1 wherever the fragment lies in its triangle (the edges of one that is clipped are snapped anew, and may leave it by half a subpixel); with the values f of a varying at the
+    /// vertices, `b.x * f[0] + b.y * f[1] + b.z * f[2]` is the varying, up to roundings. To submit the vertices in another order changes the order of the three
+    /// numbers, and no bit of them. This is Vulkan's `BaryCoordKHR`.
+    ///
+    /// Derivatives they have none: give the vertices a varying for that. The shader must say that it asks; it is an error when it is compiled otherwise. A triangle's edges as lines, whatever
+    /// its vertices hold:
+    ///
+    /// ```
+    /// use pineda::*;
+    ///
+    /// struct Edges;
+    ///
+    /// #[shader]
+    /// impl Shader for Edges {
+    ///     type Vertex = [f32; 4];
+    ///     type Varyings<L: Lanes> = ();
+    ///     const BARYCENTRICS: bool = true;
+    ///     fn vertex(&self, &position: &[f32; 4]) -> (Vec4, ()) {
+    ///         (position.into(), ())
+    ///     }
+    ///     fn fragment<L: Lanes>(&self, f: &mut Fragment<L, Self>) -> Rgba<L> {
+    ///         let b = f.barycentrics_noperspective();
+    ///         let is_edge = b.x.min(b.y).min(b.z).lt(0.05);
+    ///         Rgba::opaque(is_edge.select(f.splat([1.0; 3]), f.barycentrics()))
+    ///     }
+    /// }
+    ///
+    /// // Its second vertex is four times as far away.
+    /// let corners = [[0.0, 0.0, 0.5, 1.0], [64.0, 0.0, 0.5, 4.0], [0.0, 64.0, 0.5, 1.0]];
+    /// let state = DrawState { space: Space::Raster, ..DrawState::default() };
+    /// let mut pass = Pass::new();
+    /// pass.draw(&Edges, Mesh { vertices: &corners, indices: Indices::Sequential }, state);
+    /// let mut pixels = vec![[0.0; 4]; 64 * 64];
+    /// let mut target = Target { color: ColorBuffer::Rgba32F(&mut pixels), ..Target::new(64, 64) };
+    /// Renderer::new(Settings::default())?.render(&pass, &mut target)?;
+    /// let [x, y, z, _] = pixels[20 * 64 + 20];
+    /// // On the picture it counts for 20.5 / 64, as the third does; in space for a quarter of that.
+    /// assert!((x + y + z - 1.0).abs() < 1e-6 && (z - 4.0 * y).abs() < 1e-6 && x > z);
+    /// assert_eq!(pixels[1 * 64 + 20], [1.0; 4]);
+    /// # Ok::<(), Error>(())
+    /// ```
+    #[inline(always)]
+    pub fn barycentrics(&self) -> Vec3<L> {
+        self.both_barycentrics()[0]
+    }
+
+    /// The same without perspective, as parts of the triangle's area on the picture: Vulkan's `BaryCoordNoPerspKHR`, what a `#[noperspective]` varying is interpolated with. The shader must ask for it: see
+    /// [`barycentrics`](Self::barycentrics).
+    #[inline(always)]
+    pub fn barycentrics_noperspective(&self) -> Vec3<L> {
+        self.both_barycentrics()[1]
+    }
+
+    #[inline(always)]
+    fn both_barycentrics(&self) -> [Vec3<L>; 2] {
+        const {
+            assert!(
+                K::BARYCENTRICS,
+                "this fragment stage reads f.barycentrics() or f.barycentrics_noperspective(): add `const BARYCENTRICS: bool = true;` to its \
+                 `impl Shader` (a closure has no barycentric coordinates: implement `Shader` instead)"
+            );
+        }
+        self.parts.barycentrics
+    }
+
+    /// The number of the sample that is shaded, as [`Samples::positions`](crate::Samples::positions) has them; 0 where pixels have one.
+    ///
+    /// Where they have several, the draw must be shaded [by sample](crate::Sampling::Sample): it is an [error](crate::Error::SampleIndex) otherwise. (Elsewhere
+    /// such a shader is run once a sample without being asked to, which is as dear as it is easily overlooked.) The shader must say that it asks; it is an error when it is
+    /// compiled otherwise.
+    ///
+    /// ```
+    /// use pineda::*;
+    ///
+    /// struct Numbers;
+    ///
+    /// #[shader]
+    /// impl Shader for Numbers {
+    ///     type Vertex = [f32; 2];
+    ///     type Varyings<L: Lanes> = ();
+    ///     const SAMPLE_INDEX: bool = true;
+    ///     fn vertex(&self, &[x, y]: &[f32; 2]) -> (Vec4, ()) {
+    ///         (Vec4::from([x, y, 0.0, 1.0]), ())
+    ///     }
+    ///     fn fragment<L: Lanes>(&self, f: &mut Fragment<L, Self>) -> Uint<L> {
+    ///         f.sample_index()
+    ///     }
+    /// }
+    ///
+    /// let corners = [[0.0, 0.0], [0.0, 2.0], [2.0, 0.0]];
+    /// let mesh = Mesh { vertices: &corners, indices: Indices::Sequential };
+    /// let mut numbers = [9; 4];
+    /// let mut draw = |sampling| {
+    ///     let mut pass = Pass::new();
+    ///     pass.draw(&Numbers, mesh, DrawState { sampling, space: Space::Raster, ..DrawState::default() });
+    ///     let mut target = Target { samples: Samples::Four, color: ColorBuffer::R32U(&mut numbers), ..Target::new(1, 1) };
+    ///     Renderer::new(Settings::default())?.render(&pass, &mut target).map(drop)
+    /// };
+    /// assert_eq!(draw(Sampling::Centroid), Err(Error::SampleIndex { draw: 0 }));
+    /// draw(Sampling::Sample)?;
+    /// assert_eq!(numbers, [0, 1, 2, 3]);
+    /// # Ok::<(), Error>(())
+    /// ```
+    #[inline(always)]
+    pub fn sample_index(&self) -> Uint<L> {
+        const {
+            assert!(
+                K::SAMPLE_INDEX,
+                "this fragment stage reads f.sample_index(): add `const SAMPLE_INDEX: bool = true;` to its `impl Shader` \
+                 (a closure has no sample index: implement `Shader` instead)"
+            );
+        }
+        self.parts.sample_index
+    }
+
+    /// The samples of its pixel that the fragment covers, bit k for sample k: those that the triangle (line, point) covers and the draw's
+    /// [`sample_mask`](crate::DrawState::sample_mask) lets through, before they are tested for depth and stencil. Shaded [by sample](crate::Sampling::Sample), a fragment covers that sample only. 1 where
+    /// pixels have one sample.
+    ///
+    /// A triangle has one fragment in a pixel, and neighbours that share an edge have a fragment each there: two masks without a common bit. This is Vulkan's and Direct3D's input coverage
+    /// (`SampleMaskIn`, `SV_Coverage`).
+    ///
+    /// The shader must say that it asks; it is an error when it is compiled otherwise. How much of each pixel a triangle covers:
+    ///
+    /// ```
+    /// use pineda::*;
+    ///
+    /// struct Covered;
+    ///
+    /// #[shader]
+    /// impl Shader for Covered {
+    ///     type Vertex = [f32; 2];
+    ///     type Varyings<L: Lanes> = ();
+    ///     const SAMPLE_MASK: bool = true;
+    ///     fn vertex(&self, &[x, y]: &[f32; 2]) -> (Vec4, ()) {
+    ///         (Vec4::from([x, y, 0.0, 1.0]), ())
+    ///     }
+    ///     fn fragment<L: Lanes>(&self, f: &mut Fragment<L, Self>) -> Uint<L> {
+    ///         f.sample_mask()
+    ///     }
+    /// }
+    ///
+    /// let corners = [[0.0, 0.0], [0.0, 6.0], [6.0, 0.0]];
+    /// let mut pass = Pass::new();
+    /// let state = DrawState { space: Space::Raster, ..DrawState::default() };
+    /// pass.draw(&Covered, Mesh { vertices: &corners, indices: Indices::Sequential }, state);
+    /// let mut masks = [0; 6 * 6];
+    /// let mut target = Target { samples: Samples::Four, color: ColorBuffer::R32U(&mut masks), ..Target::new(6, 6) };
+    /// Renderer::new(Settings::default())?.render(&pass, &mut target)?;
+    /// assert_eq!(masks[..6], [0b1111, 0b1111, 0b1111, 0b1111, 0b1111, 0b0101]);
+    /// # Ok::<(), Error>(())
+    /// ```
+    #[inline(always)]
+    pub fn sample_mask(&self) -> Uint<L> {
+        const {
+            assert!(
+                K::SAMPLE_MASK,
+                "this fragment stage reads f.sample_mask(): add `const SAMPLE_MASK: bool = true;` to its `impl Shader` \
+                 (a closure has no sample mask: implement `Shader` instead)"
+            );
+        }
+        self.parts.sample_mask
+    }
+
+    /// Takes away the samples whose bits are 0, of those that the fragment covers: they write neither colour nor depth. None is added. Bits beyond the target's samples are ignored; shaded
+    /// [by sample](crate::Sampling::Sample), all but that sample's are. The last call counts; without any, all stay. With [alpha to coverage](crate::DrawState::alpha_to_coverage) both count.
+    ///
+    /// The shader must say that it writes a mask; it is an error when it is compiled otherwise. Transparency as a pattern of samples, without an order:
+    ///
+    /// ```
+    /// use pineda::*;
+    ///
+    /// struct Screen { mask: u32 }
+    ///
+    /// #[shader]
+    /// impl Shader for Screen {
+    ///     type Vertex = [f32; 2];
+    ///     type Varyings<L: Lanes> = ();
+    ///     const WRITES_SAMPLE_MASK: bool = true;
+    ///     fn vertex(&self, &[x, y]: &[f32; 2]) -> (Vec4, ()) {
+    ///         (Vec4::from([x, y, 0.0, 1.0]), ())
+    ///     }
+    ///     fn fragment<L: Lanes>(&self, f: &mut Fragment<L, Self>) -> Rgba<L> {
+    ///         // Every other column the other way round.
+    ///         let is_odd = (f.x().to_uint() & 1).eq(1);
+    ///         f.set_sample_mask(is_odd.select(f.splat(!self.mask), f.splat(self.mask)));
+    ///         Rgba::gray(f.splat(1.0))
+    ///     }
+    /// }
+    ///
+    /// let corners = [[0.0, 0.0], [0.0, 4.0], [4.0, 0.0]];
+    /// let mut pass = Pass::new();
+    /// let state = DrawState { space: Space::Raster, ..DrawState::default() };
+    /// pass.draw(&Screen { mask: 0b0001 }, Mesh { vertices: &corners, indices: Indices::Sequential }, state);
+    /// let mut pixels = [[0.0; 4]; 2];
+    /// let mut target = Target { samples: Samples::Four, color: ColorBuffer::Rgba32F(&mut pixels), ..Target::new(2, 1) };
+    /// Renderer::new(Settings::default())?.render(&pass, &mut target)?;
+    /// assert_eq!(pixels, [[0.25; 4], [0.75; 4]]);
+    /// # Ok::<(), Error>(())
+    /// ```
+    #[inline(always)]
+    pub fn set_sample_mask(&mut self, mask: impl ToLanes<L, Uint<L>>) {
+        const {
+            assert!(
+                K::WRITES_SAMPLE_MASK,
+                "this fragment stage calls f.set_sample_mask(..): add `const WRITES_SAMPLE_MASK: bool = true;` to its `impl Shader` \
+                 (a closure cannot write a sample mask: implement `Shader` instead)"
+            );
+        }
+        self.parts.written_mask = mask.to_lanes(self.lanes());
+    }
+
+    /// Replaces the fragments' depth: what is tested, and stored, in place of the triangle's. Until it is called, that is [`f.z()`](Self::z).
+    ///
+    /// It is clamped to the viewport's range of depths and rounded to the depth buffer's format, as the triangle's would be; NaN is the range's least. No
+    /// [depth bias](crate::DepthBias) is added. If the fragment stands for several samples of a pixel, all that it covers get this depth. The triangle itself is clipped by the near
+    /// and the far plane as ever. This is Vulkan's `FragDepth` and WebGPU's `frag_depth`.
+    ///
+    /// The shader must say that it writes depth; it is an error when it is compiled otherwise. A ball on a square, which cuts another one where balls do:
+    ///
+    /// ```
+    /// use pineda::*;
+    ///
+    /// struct Balls;
+    ///
+    /// #[shader]
+    /// impl Shader for Balls {
+    ///     /// The middle, and the radius.
+    ///     type Vertex = Instanced<[f32; 2], ([f32; 3], f32)>;
+    ///     /// The place on the square, from -1 to 1; the middle's depth, and the radius.
+    ///     type Varyings<L: Lanes> = Vec4<L>;
+    ///     const DISCARDS: bool = true;
+    ///     const WRITES_DEPTH: bool = true;
+    ///     fn vertex(&self, v: &Self::Vertex) -> (Vec4, Vec4) {
+    ///         let ([u, v], ([x, y, z], radius)) = (v.vertex, v.instance);
+    ///         (Vec4::from([x + u * radius, y + v * radius, z, 1.0]), Vec4::from([u, v, z, radius]))
+    ///     }
+    ///     fn fragment<L: Lanes>(&self, f: &mut Fragment<L, Self>) -> Rgba<L> {
+    ///         let height2 = 1.0 - f.x * f.x - f.y * f.y;
+    ///         f.discard(height2.lt(0.0));
+    ///         let height = height2.max(0.0).sqrt();
+    ///         // 64 units deep, as the picture is wide.
+    ///         f.set_depth(f.z - height * f.w / 64.0);
+    ///         Rgba::gray(height)
+    ///     }
+    /// }
+    ///
+    /// let square = [[-1.0, -1.0], [1.0, -1.0], [-1.0, 1.0], [1.0, 1.0]];
+    /// let balls = [([24.0, 32.0, 0.5], 16.0), ([40.0, 32.0, 0.5], 16.0)];
+    /// let mesh = Mesh { vertices: &square, indices: Indices::Sequential };
+    /// let state = DrawState { topology: PrimitiveTopology::TriangleStrip, space: Space::Raster, ..DrawState::default() };
+    /// let mut pass = Pass::new();
+    /// pass.draw_instanced(&Balls, mesh, &balls, state);
+    /// let mut shown = vec![0; 64 * 64];
+    /// let mut target = Target { instance_ids: Some(&mut shown), ..Target::new(64, 64) };
+    /// Renderer::new(Settings::default())?.render(&pass, &mut target)?;
+    /// // The first ball to the left of the plane between them, the second to its right; in the corners of the squares nothing.
+    /// assert_eq!([10, 31, 32, 50].map(|x| shown[32 * 64 + x]), [0, 0, 1, 1]);
+    /// assert_eq!(shown[17 * 64 + 9], NO_ID);
+    /// # Ok::<(), Error>(())
+    /// ```
+    ///
+    /// ```compile_fail
+    /// # use pineda::*;
+    /// # struct Flat;
+    /// #[shader]
+    /// impl Shader for Flat {
+    ///     type Vertex = ();
+    ///     type Varyings<L: Lanes> = ();
+    ///     // const WRITES_DEPTH: bool = true; is missing.
+    ///     fn vertex(&self, _: &()) -> (Vec4, ()) { Default::default() }
+    ///     fn fragment<L: Lanes>(&self, f: &mut Fragment<L, Self>) -> Rgba<L> {
+    ///         f.set_depth(0.5);
+    ///         Rgba::gray(f.z())
+    ///     }
+    /// }
+    /// # let stage: fn(&Flat, &mut Fragment<Scalar, Flat>) -> Rgba = Flat::fragment::<Scalar>;
+    /// ```
+    #[inline(always)]
+    pub fn set_depth(&mut self, depth: impl ToLanes<L, Real<L>>) {
+        const {
+            assert!(
+                K::WRITES_DEPTH,
+                "this fragment stage calls f.set_depth(..): add `const WRITES_DEPTH: bool = true;` to its `impl Shader` \
+                 (a closure cannot write depth: implement `Shader` instead)"
+            );
+        }
+        self.parts.depth = depth.to_lanes(self.lanes());
+    }
+
     /// Drops the fragments in the lanes of `when`: they write neither colour nor depth. The stage goes on for the
     /// other lanes; what it returns for the dropped ones is ignored.
     ///
@@ -382,6 +699,11 @@ mod tests {
             y: constant(6.5),
             point_coord: Vec2::new(constant(0.5), constant(0.5)),
             ids: [Uint::new(lanes, 0); 3],
+            barycentrics: [Vec3::new(constant(1.0), constant(0.0), constant(0.0)); 2],
+            depth: constant(0.25),
+            sample_index: Uint::new(lanes, 0),
+            sample_mask: Uint::new(lanes, 1),
+            written_mask: Uint::new(lanes, 1),
             z: constant(0.25),
             front_facing: lane.lt(4.0),
             alive: Bool(lanes.mask(0x7fff)),

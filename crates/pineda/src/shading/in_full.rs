@@ -1,12 +1,13 @@
-//! Packets with clipped triangles, and varyings that are flat or linear on the screen: triangles in turn, in full.
+//! Packets with clipped triangles, varyings that are flat or linear on the screen, and barycentric coordinates: triangles in turn, in full.
 
 use super::Interpolation;
 use super::barycentric::{Both, Corner3};
+use super::coordinates::coordinates;
 use super::distinct::{Distinct, Fragments};
 use super::packet::{BATCH, PacketBatch, PacketRows, VaryingLayout};
 use super::run::{RunView, record_rows};
 use super::weights::{Weights, of_clipped, of_triangle};
-use crate::raster::triangle_id::TriangleId;
+use crate::raster::triangle_id::{ORDERS, TriangleId};
 use crate::tile::view::{BlockLanes, Positions};
 use crate::wide::{Simd, f32x16, mask32x16};
 
@@ -52,18 +53,24 @@ fn one_in_full<S: Simd>(
     let mut places = [[0; 4]; 16];
     let mut masks = [mask32x16::splat(s, true); 16];
     let count = distinct.count();
-    let mut weights;
-    let mut depth;
-    (weights, places[0], depth) =
-        triangle(s, run, position, layout, fragments, TriangleId(distinct.ids[0]), each, lanes);
+    let first = TriangleId(distinct.ids[0]);
+    let Placed { mut weights, mut depth, order, places: first_places } =
+        triangle(s, run, position, layout, fragments, first, each, lanes);
+    places[0] = first_places;
+    if layout.barycentrics {
+        place(s, run, first, &weights, order, masks[0], rows);
+    }
     let mut t = 1;
     while t < count {
         let id = TriangleId(distinct.ids[t & 15]);
-        let (next, next_places, next_depth) = triangle(s, run, position, layout, fragments, id, each, lanes);
-        places[t & 15] = next_places;
+        let next = triangle(s, run, position, layout, fragments, id, each, lanes);
+        places[t & 15] = next.places;
         masks[t & 15] = mask32x16::from_bitmask(s, u64::from(distinct.masks[t & 15]));
-        weights.select(masks[t & 15], &next);
-        depth = masks[t & 15].select(next_depth, depth);
+        weights.select(masks[t & 15], &next.weights);
+        depth = masks[t & 15].select(next.depth, depth);
+        if layout.barycentrics {
+            place(s, run, id, &next.weights, next.order, masks[t & 15], rows);
+        }
         t += 1;
     }
     let both = Both::new::<true>(s, &weights, layout);
@@ -88,7 +95,47 @@ fn one_in_full<S: Simd>(
     }
 }
 
-/// The weights of one triangle, the places of its vertices in their order and the provoking vertex's, and depths if they are asked for.
+/// Writes the barycentric coordinates of a triangle to the lanes of a mask.
+#[inline(never)]
+fn place<S: Simd>(
+    s: S,
+    run: &RunView<'_>,
+    id: TriangleId,
+    weights: &Weights<S>,
+    order: [usize; 3],
+    mask: mask32x16<S>,
+    rows: &mut PacketRows<'_>,
+) {
+    s.vectorize(
+        #[inline(always)]
+        || {
+            let both =
+                [coordinates(s, run, id, &weights.perspective, order), coordinates(s, run, id, &weights.linear, order)];
+            let mut k = 0;
+            while k < 2 {
+                let mut vertex = 0;
+                while vertex < 3 {
+                    let there = f32x16::simd_from(s, rows.barycentrics[k][vertex]);
+                    rows.barycentrics[k][vertex] = mask.select(f32x16::simd_from(s, both[k][vertex]), there).into();
+                    vertex += 1;
+                }
+                k += 1;
+            }
+        },
+    );
+}
+
+/// What a packet needs of a triangle that is not in the cache.
+struct Placed<S: Simd> {
+    weights: Weights<S>,
+    /// Which corner each weight is of.
+    order: [usize; 3],
+    /// The places of the vertices in that order, and the provoking vertex's.
+    places: [usize; 4],
+    /// If it is asked for.
+    depth: f32x16<S>,
+}
+
 #[inline(always)]
 #[expect(clippy::too_many_arguments, reason = "inlined")]
 fn triangle<S: Simd>(
@@ -100,20 +147,22 @@ fn triangle<S: Simd>(
     id: TriangleId,
     each: usize,
     lanes: &BlockLanes<S>,
-) -> (Weights<S>, [usize; 4], f32x16<S>) {
+) -> Placed<S> {
     let at = Positions::new(s, lanes, fragments.moved);
-    let (weights, places, depth) = if id.is_clipped() {
+    let submitted = run.places(id);
+    let of =
+        |order: [usize; 3]| [submitted[order[0] % 3], submitted[order[1] % 3], submitted[order[2] % 3], submitted[0]];
+    if id.is_clipped() {
         let (weights, order, depth) = of_clipped(s, run, position, id, fragments.x, fragments.y, at);
-        let submitted = run.places(id);
-        (weights, [submitted[order[0]], submitted[order[1]], submitted[order[2]]], depth)
-    } else {
-        let places = run.canonical_places(id);
-        let weights = of_triangle(s, run, each, places, fragments.x, fragments.y, at);
-        let mut depth = f32x16::splat(s, 0.0);
-        if layout.depth {
-            depth = weights.depth(s, Corner3::splat(s, run.vertex_depths(places)));
-        }
-        (weights, places, depth)
-    };
-    (weights, [places[0], places[1], places[2], run.places(id)[0]], depth)
+        return Placed { weights, order, places: of(order), depth };
+    }
+    let [a, b, c] = ORDERS[id.order_code() as usize & 7];
+    let order = [a as usize, b as usize, c as usize];
+    let places @ [a, b, c, _] = of(order);
+    let weights = of_triangle(s, run, each, [a, b, c], fragments.x, fragments.y, at);
+    let mut depth = f32x16::splat(s, 0.0);
+    if layout.depth {
+        depth = weights.depth(s, Corner3::splat(s, run.vertex_depths([a, b, c])));
+    }
+    Placed { weights, order, places, depth }
 }

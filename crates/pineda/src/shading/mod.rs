@@ -96,6 +96,10 @@
 //! [`f.x()`](Frag::x), [`f.y()`](Frag::y), [`f.z()`](Frag::z): where it is; [`f.front_facing()`](Frag::front_facing).
 //! [`f.dx()`](Frag::dx) and [`f.dy()`](Frag::dy), the varyings' derivatives per pixel, want
 //! `const DERIVATIVES: bool = true;` in the impl; [`f.discard(mask)`](Frag::discard) wants `const DISCARDS: bool = true;`;
+//! [`f.set_depth(z)`](Frag::set_depth) `const WRITES_DEPTH: bool = true;`;
+//! [`f.sample_index()`](Frag::sample_index), [`f.sample_mask()`](Frag::sample_mask) and [`f.set_sample_mask(mask)`](Frag::set_sample_mask) want `SAMPLE_INDEX`, `SAMPLE_MASK` and
+//! `WRITES_SAMPLE_MASK`;
+//! [`f.barycentrics()`](Frag::barycentrics) wants `const BARYCENTRICS: bool = true;`;
 //! [`f.point_coord()`](Frag::point_coord), the place in a point's square, `const POINT_COORD: bool = true;`;
 //! [`f.triangle_id()`](Frag::triangle_id), `f.instance_id()` and `f.draw_id()` `const IDS: bool = true;`.
 //! They cost time where they are switched on, so none is unless asked for, and using one without its constant is an
@@ -226,6 +230,7 @@ mod blend;
 mod by_lane;
 pub(crate) mod cached;
 mod centroid;
+pub(crate) mod coordinates;
 pub(crate) mod distinct;
 mod few;
 mod in_full;
@@ -234,6 +239,7 @@ mod large;
 pub(crate) mod multisample;
 mod over;
 pub(crate) mod packet;
+mod parts;
 pub(crate) mod run;
 pub(crate) mod sample_packets;
 pub(crate) mod shade;
@@ -249,7 +255,7 @@ pub(crate) use outputs::OutputLayout;
 pub use outputs::Row4 as __Row4;
 pub use outputs::{DualSource, Output, OutputKind, Outputs};
 pub use shader::Shader;
-pub(crate) use stage::{Closure, FragmentStage, native};
+pub(crate) use stage::{Closure, FragmentStage, StageUses, native};
 pub use stage::{ClosureFragment, ClosureKind, Native};
 #[doc(hidden)]
 pub use varyings::Layout as __Layout;

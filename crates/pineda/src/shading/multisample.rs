@@ -12,14 +12,13 @@ use super::sample_packets::SamplePacket;
 use super::shade::{How, OrderedPacket, Shading, channels, contains, keep, merge_color};
 use super::stencil::Tests;
 use crate::geometry::raster_space::SUBPIXELS;
-use crate::pass::plan::DepthRule;
 use crate::pass::{ColorMask, Conservative, DrawState, Sampling};
 use crate::raster::triangle_id::{CLIPPED_CLOCKWISE, ORDER_BITS, TriangleId};
 use crate::shading::OutputKind;
 use crate::target::format::{ColorFormat, TileColor};
 use crate::tile::Tile;
 use crate::tile::view::TileView;
-use crate::wide::{Simd, f32x16, mask32x16, u32x16};
+use crate::wide::{Simd, f32x16, i32x16, mask32x16, u32x16};
 
 /// Fragments of several blocks of the tile, put together to a full packet: most pixels show one triangle, and packets of what else they show would have few
 /// lanes each.
@@ -76,12 +75,7 @@ fn layout_of(shading: &Shading<'_>) -> VaryingLayout {
 
 /// Shades what the visibility buffer shows.
 #[inline(always)]
-pub(crate) fn shade_visible_samples<S: Simd>(
-    s: S,
-    shading: &mut Shading<'_>,
-    packets: &[SamplePacket],
-    depth: DepthRule,
-) {
+pub(crate) fn shade_visible_samples<S: Simd>(s: S, shading: &mut Shading<'_>, packets: &[SamplePacket]) {
     let layout = layout_of(shading);
     let (mut last, mut distinct) = (Last::none(s), [Distinct::NONE; BATCH]);
     shading.cache.start(shading.run, &layout);
@@ -122,8 +116,8 @@ pub(crate) fn shade_visible_samples<S: Simd>(
             return;
         }
         shading.interpolate::<S, false>(s, &layout, &mut distinct, &mut last);
-        finish_depths(s, shading, &layout, depth);
-        shading.run_fragments();
+        finish_depths(s, shading, &layout);
+        shading.run_fragments(s);
         let further = shading.further();
         let mut i = 0;
         while i < shading.batch.len() {
@@ -235,23 +229,18 @@ fn move_off_centers<S: Simd>(
 
 /// Gives the fragments their depths: where they are shaded, and so not those of the depth buffer's samples.
 #[inline(always)]
-fn finish_depths<S: Simd>(s: S, shading: &mut Shading<'_>, layout: &VaryingLayout, depth: DepthRule) {
+fn finish_depths<S: Simd>(s: S, shading: &mut Shading<'_>, layout: &VaryingLayout) {
     if layout.depth {
         if let Some(strokes) = &shading.run.strokes {
             shading.batch.set_depths(|ids, at| strokes.depth(TriangleId(ids).number() - shading.run.first_number, at));
         }
-        shading.batch.take_depths(s, f32::from_bits(depth.low as u32), f32::from_bits(depth.high as u32));
+        shading.batch.take_depths(s, &shading.depth.rule);
     }
 }
 
 /// Shades covered samples in submission order, with depth test and blending. `packets` holds all that there is of each triangle.
 #[inline(always)]
-pub(crate) fn shade_samples_in_order<S: Simd>(
-    s: S,
-    shading: &mut Shading<'_>,
-    packets: &mut [OrderedPacket],
-    depth: DepthRule,
-) {
+pub(crate) fn shade_samples_in_order<S: Simd>(s: S, shading: &mut Shading<'_>, packets: &mut [OrderedPacket]) {
     let layout = layout_of(shading);
     let view = shading.view;
     // What is shaded together: of a triangle what lies in one block, of all samples or of one.
@@ -262,7 +251,8 @@ pub(crate) fn shade_samples_in_order<S: Simd>(
     shading.cache.start(shading.run, &layout);
     let call = shading.call;
     let state = call.state();
-    let is_late = call.discards() || state.alpha_to_coverage;
+    let uses = shading.uses;
+    let is_late = uses.decides() || state.alpha_to_coverage;
     let tests = Tests { state, front_is_clockwise: shading.run.front_is_clockwise };
     let has_color = shading.color.format != ColorFormat::None || !shading.more_colors.is_empty();
     let is_shaded = is_late || (has_color && !state.writes_no_color(call.outputs().kinds.len()));
@@ -287,10 +277,10 @@ pub(crate) fn shade_samples_in_order<S: Simd>(
                 let tested = tests.of(s, shading.tile, TriangleId(id), packet.block as usize, inside, &packet.depth);
                 let both = tested.both.to_bitmask() as u32;
                 passed += both.count_ones();
-                if !is_late {
+                if is_late {
+                    packet.mask = tested.undecided(uses.writes_depth).to_bitmask() as u32;
+                } else {
                     tested.update(s, shading.tile, packet.block as usize);
-                    packet.mask = both;
-                } else if !tested.failing_counts() {
                     packet.mask = both;
                 }
                 mask |= packet.mask;
@@ -307,16 +297,29 @@ pub(crate) fn shade_samples_in_order<S: Simd>(
                 let (x, y) = view.pixel_of(block);
                 let new = shading.batch.add();
                 (new.block, new.alive, new.x, new.y) = (block as u32, mask, x, y);
-                (new.ids, new.depth) = ([id; 16], group[0].depth);
+                (new.ids, new.depth) = ([id; 16], if layout.depth { group[0].depth } else { own_depths(s, group) });
                 move_off_centers(s, shading, &layout, &[id; 16], mask & !inner, block);
                 groups[shading.batch.len() - 1] = group;
             }
         }
         shading.interpolate::<S, true>(s, &layout, &mut distinct, &mut last);
-        finish_depths(s, shading, &layout, depth);
-        shading.run_fragments();
+        finish_depths(s, shading, &layout);
+        shading.run_fragments(s);
         merge(s, shading, &groups, is_late);
     }
+}
+
+/// The depths of a triangle's fragments that are of one sample. Lines and clipped triangles are of several parts, each of which covers other lanes.
+#[inline(always)]
+fn own_depths<S: Simd>(s: S, group: &[OrderedPacket]) -> [i32; 16] {
+    let mut depth = i32x16::simd_from(s, group[0].depth);
+    let mut k = 1;
+    while k < group.len() {
+        let mask = mask32x16::from_bitmask(s, u64::from(group[k].mask));
+        depth = mask.select(i32x16::simd_from(s, group[k].depth), depth);
+        k += 1;
+    }
+    depth.into()
 }
 
 /// Brings the colours of a batch into the samples that passed.
@@ -327,6 +330,8 @@ fn merge<S: Simd>(s: S, shading: &mut Shading<'_>, groups: &[&mut [OrderedPacket
     let first = state.color(0);
     let how = How::of(&first);
     let further = shading.further();
+    let uses = shading.uses;
+    let leaves_more = uses.leaves_more();
     let has_alpha = shading.call.outputs().kinds.first() == Some(&OutputKind::Float);
     let mut i = 0;
     while i < shading.batch.len() {
@@ -343,16 +348,25 @@ fn merge<S: Simd>(s: S, shading: &mut Shading<'_>, groups: &[&mut [OrderedPacket
         let mut count = 0;
         for ordered in &*groups[i] {
             let block = ordered.block as usize;
+            let mut depth = &ordered.depth;
             let mut alive = mask32x16::from_bitmask(s, u64::from(packet.alive & ordered.mask));
             if state.alpha_to_coverage && has_alpha {
                 alive = alive & covers_by_alpha(s, &packet.color[3], shading.view.sample_of(block), samples);
             }
+            if leaves_more {
+                if uses.writes_sample_mask {
+                    alive = alive & shading.batch.lets_cover(s, i, shading.view.sample_of(block));
+                }
+                if uses.writes_depth {
+                    depth = &packet.depth;
+                }
+            }
             if is_late {
-                let tested = tests.of(s, shading.tile, id, block, alive, &ordered.depth);
+                let tested = tests.of(s, shading.tile, id, block, alive, depth);
                 tested.update(s, shading.tile, block);
                 alive = tested.both;
             }
-            keep(s, shading.tile, state.depth.write, block, alive, &ordered.depth, &packet.ids);
+            keep(s, shading.tile, state.depth.write, block, alive, depth, &packet.ids);
             merge_color(s, shading.color, block, alive, &packet.color, second, parts, &first, how);
             let mut k = 0;
             while k < further {

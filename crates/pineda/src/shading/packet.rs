@@ -2,13 +2,20 @@
 //!
 //! Only the fragment stage is compiled for each shader; so what it works on lies in memory, a batch of packets at a time.
 
+use super::coordinates::Coordinates;
 use super::distinct::Fragments;
+use super::parts::Parts;
+use super::run::RunView;
 use super::{__Row4 as Row4, Frag, FragParts, FragmentStage, Interpolation, OutputLayout, Outputs, Varyings};
 use crate::geometry::raster_space::{HALF_PIXEL, SUBPIXELS};
 use crate::lanes::Packet;
-use crate::math::{Bool, Real, Uint, Vec2};
-use crate::raster::samples::Samples;
+use crate::math::{Bool, Real, Uint, Vec2, Vec3};
+use crate::pass::Conservative;
+use crate::pass::draw_call::DrawCall;
+use crate::pass::plan::DepthRule;
+use crate::raster::samples::{Sample, SampleSet, Samples};
 use crate::raster::triangle_id::{CLIPPED_CLOCKWISE, ORDER_BITS, TriangleId};
+use crate::tile::sink::AnyTest;
 use crate::tile::view::BlockLanes;
 use crate::wide::{Simd, f32x16, i32x16, mask32x16, u32x16};
 use core::marker::PhantomData;
@@ -25,14 +32,16 @@ pub(crate) struct VaryingLayout {
     pub(crate) point_coord: bool,
     /// Whether the depth is interpolated, too.
     pub(crate) depth: bool,
-    /// Whether everything is interpolated with perspective.
+    /// Whether barycentric coordinates are asked for.
+    pub(crate) barycentrics: bool,
+    /// Whether everything is interpolated with perspective, and there is nothing but varyings (and their derivatives, and depth).
     pub(crate) is_plain: bool,
 }
 
 impl VaryingLayout {
     pub(crate) fn new(interpolation: &'static [Interpolation], derivatives: bool) -> Self {
         let is_plain = interpolation.iter().all(|&i| i == Interpolation::Perspective);
-        Self { interpolation, derivatives, point_coord: false, depth: false, is_plain }
+        Self { interpolation, derivatives, point_coord: false, depth: false, barycentrics: false, is_plain }
     }
 
     /// Rows of a packet: the varyings and, if asked for, their derivatives along x and y.
@@ -47,6 +56,7 @@ pub(crate) struct PacketRows<'a> {
     pub(crate) dx: &'a mut [[f32; 16]],
     pub(crate) dy: &'a mut [[f32; 16]],
     pub(crate) z: &'a mut [f32; 16],
+    pub(crate) barycentrics: &'a mut [Coordinates; 2],
 }
 
 /// Whether a packet's fragments are shaded elsewhere than at their pixels' centres.
@@ -112,6 +122,11 @@ pub(crate) struct PacketBatch {
     /// Each lane's triangle and instance, for shaders that ask for them; and the draw of all.
     numbers: [[[u32; 16]; 2]; BATCH],
     draw: u32,
+    /// With perspective and without, for shaders that ask for them.
+    barycentrics: [[Coordinates; 2]; BATCH],
+    /// The sample that each packet is of, if it is of one, and the samples that its lanes cover, for shaders that ask for them. Those that write a mask leave it here.
+    sample_indices: [u32; BATCH],
+    sample_masks: [[u32; 16]; BATCH],
 }
 
 impl PacketBatch {
@@ -133,6 +148,9 @@ impl PacketBatch {
             z: [[0.0; 16]; BATCH],
             numbers: [[[0; 16]; 2]; BATCH],
             draw: 0,
+            barycentrics: [[[[0.0; 16]; 3]; 2]; BATCH],
+            sample_indices: [0; BATCH],
+            sample_masks: [[0; 16]; BATCH],
         }
     }
 
@@ -201,15 +219,30 @@ impl PacketBatch {
 
     /// Takes the interpolated depths for the fragments', clamped.
     #[inline(always)]
-    pub(crate) fn take_depths<S: Simd>(&mut self, s: S, low: f32, high: f32) {
-        let (low, high) = (f32x16::splat(s, low), f32x16::splat(s, high));
+    pub(crate) fn take_depths<S: Simd>(&mut self, s: S, rule: &DepthRule) {
         let mut k = 0;
         while k < self.count {
             let z = f32x16::simd_from(s, self.z[k & (BATCH - 1)]);
-            let z = z.simd_gt(low).select(z, low);
-            self.packets[k].depth = z.simd_lt(high).select(z, high).bitcast::<i32x16<S>>().into();
+            self.packets[k].depth = rule.clamped(s, z).bitcast::<i32x16<S>>().into();
             k += 1;
         }
+    }
+
+    /// Makes of the depths that the fragment stage left what is tested and stored.
+    #[inline(never)]
+    pub(crate) fn finish_written_depths<S: Simd>(&mut self, s: S, test: &AnyTest) {
+        s.vectorize(
+            #[inline(always)]
+            || {
+                let mut k = 0;
+                while k < self.count {
+                    let z = i32x16::simd_from(s, self.packets[k & (BATCH - 1)].depth).bitcast::<f32x16<S>>();
+                    let z = test.format.rounded_lanes(s, test.rule.clamped(s, z));
+                    self.packets[k & (BATCH - 1)].depth = z.bitcast::<i32x16<S>>().into();
+                    k += 1;
+                }
+            },
+        );
     }
 
     /// Says of which draw the packets are, and by a function of its id, of which instance and triangle each lane is.
@@ -225,6 +258,50 @@ impl PacketBatch {
                 (triangles[lane], instances[lane]) = (triangle as u32, instance as u32);
             }
         }
+    }
+
+    /// Says by a function of its block of which sample each packet is: the only one that its fragments cover.
+    #[inline(never)]
+    pub(crate) fn set_samples(&mut self, sample_of: impl Fn(usize) -> usize) {
+        for (k, packet) in self.packets[..self.count].iter().enumerate() {
+            let sample = sample_of(packet.block as usize) as u32;
+            (self.sample_indices[k], self.sample_masks[k]) = (sample, [1 << (sample & 15); 16]);
+        }
+    }
+
+    /// Finds the samples that the fragments cover, of those that the draw lets through.
+    #[inline(never)]
+    pub(crate) fn find_covered_samples(&mut self, call: &dyn DrawCall, run: &RunView<'_>, samples: SampleSet) {
+        // Fragments of one triangle mostly follow each other.
+        let (mut last, mut parts) = (TriangleId(0), Parts::Wholes);
+        for (k, packet) in self.packets[..self.count].iter().enumerate() {
+            let mut rest = packet.alive & 0xffff;
+            while rest != 0 {
+                let lane = rest.trailing_zeros() as usize & 15;
+                rest &= rest - 1;
+                let id = TriangleId(packet.ids[lane]);
+                if id != last {
+                    let covers_wholes = call.state().conservative != Conservative::Off;
+                    (last, parts) = (id, if covers_wholes { Parts::Wholes } else { Parts::of(call, run, id) });
+                }
+                // Other lanes than gathered ones are of the pixels where they stand, wherever they are shaded.
+                let [dx, dy] =
+                    if self.moved[k] == Moved::Gathered { self.offsets[k].map(|row| row[lane]) } else { [0; 2] };
+                let (x, y) = (packet.x + (lane & 3) as i32, packet.y + (lane >> 2) as i32);
+                let center = [x * SUBPIXELS + HALF_PIXEL + dx, y * SUBPIXELS + HALF_PIXEL + dy];
+                let (mut mask, mut asked) = (0, samples.mask);
+                while let Some(Sample { plane, offset }) = samples.take(&mut asked) {
+                    mask |= u32::from(parts.cover([center[0] + offset[0], center[1] + offset[1]])) << plane;
+                }
+                self.sample_masks[k][lane] = mask;
+            }
+        }
+    }
+
+    /// The lanes of packet `k` whose fragment stage left a mask with a sample in it.
+    #[inline(always)]
+    pub(crate) fn lets_cover<S: Simd>(&self, s: S, k: usize, sample: usize) -> mask32x16<S> {
+        !(u32x16::simd_from(s, self.sample_masks[k & (BATCH - 1)]) & (1 << (sample & 15))).simd_eq(0)
     }
 
     /// Gives every packet, those that are yet to be added too, the same ids, until another is given.
@@ -253,7 +330,8 @@ impl PacketBatch {
         let moved = if self.moved[k & (BATCH - 1)] == Moved::No { None } else { Some(&self.offsets[k & (BATCH - 1)]) };
         let (border, samples) = (self.borders[k & (BATCH - 1)], self.samples);
         let fragments = Fragments { moved, border, samples, ..self.packets[k].fragments() };
-        (fragments, PacketRows { here, dx, dy, z: &mut self.z[k & (BATCH - 1)] })
+        let (z, barycentrics) = (&mut self.z[k & (BATCH - 1)], &mut self.barycentrics[k & (BATCH - 1)]);
+        (fragments, PacketRows { here, dx, dy, z, barycentrics })
     }
 
     /// What the fragments of packet `k` have beside a colour.
@@ -305,6 +383,11 @@ impl PacketBatch {
                 z: zero,
                 point_coord: Vec2::new(zero, zero),
                 ids: [Uint(i32x16::splat(s, 0)); 3],
+                barycentrics: [Vec3::new(zero, zero, zero); 2],
+                depth: zero,
+                sample_index: Uint(i32x16::splat(s, 0)),
+                sample_mask: Uint(i32x16::splat(s, 0)),
+                written_mask: Uint(i32x16::splat(s, 0)),
                 front_facing: none,
                 alive: none,
             },
@@ -342,12 +425,36 @@ impl PacketBatch {
                 parts.y = Real(parts.y.0 + y * (1.0 / SUBPIXELS as f32));
             }
             parts.z = Real(i32x16::simd_from(s, packet.depth).bitcast());
+            if St::BARYCENTRICS {
+                let [with, without] = &self.barycentrics[k & (BATCH - 1)];
+                parts.barycentrics =
+                    [Vec3::read(Packet(s), with.as_flattened()), Vec3::read(Packet(s), without.as_flattened())];
+            }
+            if St::WRITES_DEPTH {
+                parts.depth = parts.z;
+            }
+            if St::SAMPLE_INDEX {
+                let index = self.sample_indices[k & (BATCH - 1)];
+                parts.sample_index = Uint(i32x16::splat(s, index.cast_signed()));
+            }
+            if St::SAMPLE_MASK {
+                parts.sample_mask = Uint(u32x16::simd_from(s, self.sample_masks[k & (BATCH - 1)]).bitcast());
+            }
+            if St::WRITES_SAMPLE_MASK {
+                parts.written_mask = Uint(i32x16::splat(s, -1));
+            }
             parts.front_facing = Bool(if self.front_is_clockwise { clockwise } else { !clockwise });
             parts.alive = Bool(mask32x16::from_bitmask(s, u64::from(packet.alive)));
             let more = if more_each > 0 { &mut self.more[k * more_each..(k + 1) * more_each] } else { &mut [] };
             stage.run(&mut fragment).write(&mut packet.color, more);
             if St::DISCARDS {
                 packet.alive = fragment.alive().0.to_bitmask() as u32;
+            }
+            if St::WRITES_SAMPLE_MASK {
+                self.sample_masks[k & (BATCH - 1)] = fragment.parts.written_mask.0.bitcast::<u32x16<S>>().into();
+            }
+            if St::WRITES_DEPTH {
+                packet.depth = fragment.parts.depth.0.bitcast::<i32x16<S>>().into();
             }
             k += 1;
         }

@@ -11,12 +11,14 @@ use super::run::RunView;
 use super::single::{Single, begins_with_many, fill};
 use super::stencil::Tests;
 use super::visible_packets::VisiblePacket;
-use super::{__Row4 as Row4, OutputKind};
+use super::{__Row4 as Row4, OutputKind, StageUses};
 use crate::pass::draw_call::DrawCall;
-use crate::pass::{Blend, ColorMask, ColorState, DrawStatistics};
+use crate::pass::{Blend, ColorMask, ColorState, DrawStatistics, Sampling};
+use crate::raster::samples::SampleSet;
 use crate::raster::triangle_id::TriangleId;
 use crate::target::format::{Channels, ColorFormat, TileColor};
 use crate::tile::Tile;
+use crate::tile::sink::AnyTest;
 use crate::tile::view::TileView;
 use crate::wide::{Simd, f32x16, i32x16, mask32x16, u32x16};
 use fearless_simd::Level;
@@ -44,6 +46,9 @@ pub(crate) struct Shading<'a> {
     pub(crate) batch: &'a mut PacketBatch,
     pub(crate) cache: &'a mut TriangleCache,
     pub(crate) single: &'a mut Single,
+    pub(crate) uses: StageUses,
+    /// What becomes of depths that are not the triangles' own.
+    pub(crate) depth: AnyTest,
     /// Where fragments and samples of ordered draws are counted, if they are.
     pub(crate) counted: Option<&'a mut DrawStatistics>,
 }
@@ -71,12 +76,30 @@ impl Shading<'_> {
 
     /// Runs the fragment stage over the batch.
     #[inline(always)]
-    pub(super) fn run_fragments(&mut self) {
-        if self.call.reads_ids() {
+    pub(super) fn run_fragments<S: Simd>(&mut self, s: S) {
+        let uses = self.uses;
+        if uses.ids {
             let run = self.run;
             self.batch.number(run.run.draw, |id| run.run.instance_and_triangle(id.number() - run.first_number));
         }
+        if uses.sample_index | uses.sample_mask {
+            self.tell_samples();
+        }
         self.call.run_fragments(self.level, self.batch);
+        if uses.writes_depth {
+            self.batch.finish_written_depths(s, &self.depth);
+        }
+    }
+
+    /// Says which samples the batch's fragments are of, and cover.
+    #[inline(never)]
+    fn tell_samples(&mut self) {
+        let (view, state) = (self.view, self.call.state());
+        if view.samples.is_one() || state.sampling == Sampling::Sample {
+            self.batch.set_samples(|block| view.sample_of(block));
+        } else {
+            self.batch.find_covered_samples(self.call, self.run, SampleSet::new(view.samples, state.sample_mask));
+        }
     }
 
     /// Counts the lanes of a block.
@@ -117,7 +140,7 @@ pub(crate) fn shade_visible<S: Simd>(s: S, shading: &mut Shading<'_>, packets: &
             i += 1;
         }
         shading.interpolate::<S, false>(s, &layout, &mut distinct, &mut last);
-        shading.run_fragments();
+        shading.run_fragments(s);
         let mut i = 0;
         while i < shading.batch.len() {
             let packet = &shading.batch.packets()[i];
@@ -143,11 +166,12 @@ pub(crate) fn shade_in_order<S: Simd>(s: S, shading: &mut Shading<'_>, packets: 
     let (mut last, mut distinct) = (Last::none(s), [Distinct::NONE; BATCH]);
     shading.cache.start(shading.run, &layout);
     let call = shading.call;
-    let (state, discards) = (call.state(), call.discards());
+    let (state, uses) = (call.state(), shading.uses);
+    let is_late = uses.decides();
     let tests = Tests { state, front_is_clockwise: shading.run.front_is_clockwise };
     let has_color = shading.color.format != ColorFormat::None || !shading.more_colors.is_empty();
-    let is_shaded = discards || (has_color && !state.writes_no_color(call.outputs().kinds.len()));
-    let is_usual = is_shaded && !discards && state.stencil.is_none() && shading.counted.is_none();
+    let is_shaded = is_late || (has_color && !state.writes_no_color(call.outputs().kinds.len()));
+    let is_usual = is_shaded && !is_late && state.stencil.is_none() && shading.counted.is_none();
     let takes_singles = is_usual && layout.is_plain && !layout.derivatives && shading.run.strokes.is_none();
     let is_over = is_usual
         && shading.run.strokes.is_none()
@@ -159,7 +183,7 @@ pub(crate) fn shade_in_order<S: Simd>(s: S, shading: &mut Shading<'_>, packets: 
         let rest = &packets[first..];
         if takes_singles && (shading.single.is_of(&rest[0]) || begins_with_many(rest)) {
             first += fill(s, shading, &layout, rest);
-            shading.run_fragments();
+            shading.run_fragments(s);
             merge(s, shading, is_over);
             continue;
         }
@@ -179,11 +203,10 @@ pub(crate) fn shade_in_order<S: Simd>(s: S, shading: &mut Shading<'_>, packets: 
             let id = TriangleId(packet.id);
             let tested = tests.of(s, shading.tile, id, block, covered, &packet.depth);
             let mut mask = tested.both;
-            if !discards {
+            if is_late {
+                mask = tested.undecided(uses.writes_depth);
+            } else {
                 tested.update(s, shading.tile, block);
-            } else if tested.failing_counts() {
-                // Whether they do anything is for the fragment stage to say.
-                mask = covered;
             }
             let mask = mask.to_bitmask() as u32;
             shading.count(block, if is_shaded { mask } else { 0 }, if is_shaded { 0 } else { mask });
@@ -201,7 +224,7 @@ pub(crate) fn shade_in_order<S: Simd>(s: S, shading: &mut Shading<'_>, packets: 
             next += 1;
         }
         shading.interpolate::<S, true>(s, &layout, &mut distinct, &mut last);
-        shading.run_fragments();
+        shading.run_fragments(s);
         merge(s, shading, is_over);
         first = next;
     }
@@ -224,7 +247,9 @@ fn merge<S: Simd>(s: S, shading: &mut Shading<'_>, is_over: bool) {
     if is_over {
         return merge_over(s, shading);
     }
-    let (state, discards) = (shading.call.state(), shading.call.discards());
+    let (state, uses) = (shading.call.state(), shading.uses);
+    // Without a stencil test, what is not discarded has passed, unless its depth is another now. (To test the rest of what passed once more changes nothing.)
+    let is_late = uses.leaves_more() || (uses.discards && state.stencil.is_some());
     let tests = Tests { state, front_is_clockwise: shading.run.front_is_clockwise };
     let first = state.color(0);
     let how = How::of(&first);
@@ -234,7 +259,10 @@ fn merge<S: Simd>(s: S, shading: &mut Shading<'_>, is_over: bool) {
         let packet = &shading.batch.packets()[i];
         let block = packet.block as usize;
         let mut alive = mask32x16::from_bitmask(s, u64::from(packet.alive));
-        if discards && state.stencil.is_some() {
+        if is_late {
+            if uses.writes_sample_mask {
+                alive = alive & shading.batch.lets_cover(s, i, 0);
+            }
             let id = TriangleId(packet.ids[0]);
             let tested = tests.of(s, shading.tile, id, block, alive, &packet.depth);
             tested.update(s, shading.tile, block);

@@ -31,6 +31,24 @@ pub trait Shader: Sized + Sync {
     /// visible pixel, however many layers lie below; one that may discard is run for each layer in turn.
     const DISCARDS: bool = false;
 
+    /// Whether the fragment stage calls [`f.set_depth(..)`](super::Frag::set_depth). Depth is then tested after shading instead of before: such a shader is run
+    /// for each layer in turn, as one that discards, and for what is hidden, too.
+    const WRITES_DEPTH: bool = false;
+
+    /// Whether the fragment stage reads [`f.sample_index()`](super::Frag::sample_index). Where pixels have several samples, such a shader is drawn
+    /// [by sample](crate::Sampling::Sample).
+    const SAMPLE_INDEX: bool = false;
+
+    /// Whether the fragment stage reads [`f.sample_mask()`](super::Frag::sample_mask). It costs time where pixels have several samples: what is visible of a triangle says nothing of
+    /// what it covers, so that is found again.
+    const SAMPLE_MASK: bool = false;
+
+    /// Whether the fragment stage calls [`f.set_sample_mask(..)`](super::Frag::set_sample_mask). It is then run for each layer in turn, as one that discards.
+    const WRITES_SAMPLE_MASK: bool = false;
+
+    /// Whether the fragment stage reads [`f.barycentrics()`](super::Frag::barycentrics) or [`f.barycentrics_noperspective()`](super::Frag::barycentrics_noperspective).
+    const BARYCENTRICS: bool = false;
+
     /// How many [clip distances](Self::clip_distances) the vertex stage gives, at most [`MAX_CLIP_DISTANCES`](super::MAX_CLIP_DISTANCES).
     const CLIP_DISTANCES: usize = 0;
 

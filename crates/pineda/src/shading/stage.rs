@@ -21,6 +21,16 @@ pub(crate) trait FragmentStage<L: Lanes> {
     const POINT_COORD: bool = <Self::Kind as FragmentKind>::POINT_COORD;
     /// Whether ids must be filled in.
     const IDS: bool = <Self::Kind as FragmentKind>::IDS;
+    /// Whether barycentric coordinates must be filled in.
+    const BARYCENTRICS: bool = <Self::Kind as FragmentKind>::BARYCENTRICS;
+    /// Whether it leaves a depth.
+    const WRITES_DEPTH: bool = <Self::Kind as FragmentKind>::WRITES_DEPTH;
+    /// Whether the sample's number must be filled in.
+    const SAMPLE_INDEX: bool = <Self::Kind as FragmentKind>::SAMPLE_INDEX;
+    /// Whether covered samples must be filled in.
+    const SAMPLE_MASK: bool = <Self::Kind as FragmentKind>::SAMPLE_MASK;
+    /// Whether it leaves a mask of samples.
+    const WRITES_SAMPLE_MASK: bool = <Self::Kind as FragmentKind>::WRITES_SAMPLE_MASK;
     /// The colours of the fragments in `f`.
     fn run(&self, f: &mut Frag<L, Self::V, Self::Kind>) -> Self::Out;
 }
@@ -44,6 +54,47 @@ impl FragmentKind for ClosureKind {
     const DERIVATIVES: bool = false;
     const POINT_COORD: bool = false;
     const IDS: bool = false;
+    const BARYCENTRICS: bool = false;
+    const WRITES_DEPTH: bool = false;
+    const SAMPLE_INDEX: bool = false;
+    const SAMPLE_MASK: bool = false;
+    const WRITES_SAMPLE_MASK: bool = false;
+}
+
+/// What a fragment stage asks for and does beyond varyings and colours, for those who do not know its type.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct StageUses {
+    pub(crate) discards: bool,
+    pub(crate) ids: bool,
+    pub(crate) writes_depth: bool,
+    pub(crate) sample_index: bool,
+    pub(crate) sample_mask: bool,
+    pub(crate) writes_sample_mask: bool,
+}
+
+impl StageUses {
+    pub(crate) const fn of<K: FragmentKind>() -> Self {
+        Self {
+            discards: K::DISCARDS,
+            ids: K::IDS,
+            writes_depth: K::WRITES_DEPTH,
+            sample_index: K::SAMPLE_INDEX,
+            sample_mask: K::SAMPLE_MASK,
+            writes_sample_mask: K::WRITES_SAMPLE_MASK,
+        }
+    }
+
+    /// Whether it has a say in which samples pass, so that tests have to wait for it.
+    #[inline(always)]
+    pub(crate) fn decides(&self) -> bool {
+        self.discards | self.leaves_more()
+    }
+
+    /// Whether it leaves more than colours.
+    #[inline(always)]
+    pub(crate) fn leaves_more(&self) -> bool {
+        self.writes_depth | self.writes_sample_mask
+    }
 }
 
 /// What a fragment closure with the varyings `V` receives: sixteen fragments at the width [`Native`].

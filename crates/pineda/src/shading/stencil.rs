@@ -50,9 +50,14 @@ impl<'a> Tests<'a> {
 }
 
 impl<S: Simd> Tested<'_, S> {
-    /// Whether samples that do not pass change the stencil buffer.
-    pub(crate) fn failing_counts(&self) -> bool {
-        self.face.is_some_and(|face| [face.fail, face.depth_fail] != [StencilOperation::Keep; 2])
+    /// The samples that must be shaded before it is known which pass: those that pass by the triangle's depth, unless the fragment stage writes
+    /// another, or failing changes the stencil buffer and so is the stage's to decide, too.
+    #[inline(always)]
+    pub(crate) fn undecided(&self, writes_depth: bool) -> mask32x16<S> {
+        if self.face.is_some_and(|face| [face.fail, face.depth_fail] != [StencilOperation::Keep; 2]) {
+            return self.covered;
+        }
+        if writes_depth { self.stencil } else { self.both }
     }
 
     /// Applies the face's operations.

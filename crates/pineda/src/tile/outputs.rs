@@ -6,11 +6,12 @@ use crate::pass::ColorMask;
 use crate::raster::samples::MAX_SAMPLES;
 use crate::raster::triangle_id::{ORDERS, TriangleId};
 use crate::shading::OutputKind;
+use crate::shading::coordinates::{Coordinates, coordinates};
 use crate::shading::run::RunView;
 use crate::shading::weights::{Weights, of_clipped, of_triangle};
 use crate::target::bands::{Band, Plane, TileRows};
 use crate::target::depth::loaded_depth;
-use crate::target::format::{TileColor, one_nan};
+use crate::target::format::TileColor;
 use crate::target::texels::fill_rows;
 use crate::target::{ColorBuffer, DepthBuffer, NO_ID};
 use crate::wide::{Simd, dispatch, mask32x16};
@@ -294,14 +295,12 @@ fn barycentric_blocks(
             let call = &painting.draws[painting.batch.runs[run].draw];
             let position = |vertex: usize| call.position(vertex);
             let (rows, run) = (call.record_rows(), &painting.runs[run]);
-            let (values, order) =
-                dispatch!(painting.level, s => coordinates(s, run, rows, &position, id, x, y, &moved));
+            let [first, second, third] =
+                dispatch!(painting.level, s => coordinates_at(s, run, rows, &position, id, x, y, &moved));
             for same in lane..16 {
                 if ids[same] == id.0 {
                     done |= 1 << same;
-                    for (k, &vertex) in order.iter().enumerate() {
-                        out[same][vertex] = values[k][same];
-                    }
+                    out[same] = [first[same], second[same], third[same]];
                 }
             }
         }
@@ -309,10 +308,10 @@ fn barycentric_blocks(
     blocks
 }
 
-/// The coordinates of a triangle at a block's pixels' centres, or off them, in canonical order, and the submitted vertex that each of the three is of.
+/// The coordinates of a triangle at a block's pixels' centres, or off them.
 #[inline(always)]
 #[expect(clippy::too_many_arguments, reason = "one call, inlined")]
-fn coordinates<S: Simd>(
+fn coordinates_at<S: Simd>(
     s: S,
     run: &RunView<'_>,
     rows: usize,
@@ -321,7 +320,7 @@ fn coordinates<S: Simd>(
     x: i32,
     y: i32,
     moved: &[[i32; 16]; 2],
-) -> ([[f32; 16]; 3], [usize; 3]) {
+) -> Coordinates {
     let at = Positions::new(s, &BlockLanes::new(s), Some(moved));
     let submitted = run.places(id);
     let (weights, order): (Weights<S>, [usize; 3]) = if id.is_clipped() {
@@ -332,11 +331,5 @@ fn coordinates<S: Simd>(
         let places = order.map(|k| submitted[k]);
         (of_triangle(s, run, rows, places, x, y, at), order)
     };
-    let [a, b, c] = weights.perspective;
-    let sum = (a + b) + c;
-    let values = [one_nan(s, a / sum).into(), one_nan(s, b / sum).into(), one_nan(s, c / sum).into()];
-    match &run.strokes {
-        None => (values, order.map(|corner| run.submitted(corner))),
-        Some(strokes) => strokes.coordinates(id.number() - run.first_number, values, order),
-    }
+    coordinates(s, run, id, &weights.perspective, order)
 }

@@ -327,7 +327,7 @@ impl Painter {
                 continue;
             }
             let mut shading = self.shading(painting, view, packets[0].run as usize, None);
-            dispatch!(painting.level, s => shade_visible_samples(s, &mut shading, packets, segment.depth));
+            dispatch!(painting.level, s => shade_visible_samples(s, &mut shading, packets));
         }
         self.visible_samples = visible;
     }
@@ -340,9 +340,12 @@ impl Painter {
         run: usize,
         counted: Option<&'a mut DrawStatistics>,
     ) -> Shading<'a> {
+        let batch = painting.batch;
+        let call = &*painting.draws[batch.runs[run].draw];
         Shading {
             level: painting.level,
-            call: &*painting.draws[painting.batch.runs[run].draw],
+            call,
+            uses: call.uses(),
             run: &painting.runs[run],
             view,
             tile: &mut self.tile,
@@ -351,6 +354,7 @@ impl Painter {
             batch: &mut self.batch,
             cache: &mut self.cache,
             single: &mut self.single,
+            depth: AnyTest { rule: batch.segments[batch.runs[run].segment].depth, format: painting.depth_format },
             counted,
         }
     }
@@ -430,7 +434,7 @@ impl Painter {
                 if is_plain {
                     dispatch!(painting.level, s => shade_in_order(s, &mut shading, packets));
                 } else {
-                    dispatch!(painting.level, s => shade_samples_in_order(s, &mut shading, packets, segment.depth));
+                    dispatch!(painting.level, s => shade_samples_in_order(s, &mut shading, packets));
                 }
             },
         };

@@ -6,6 +6,8 @@
 //! - `PINEDA_PICTURES=1 cargo test -p pineda --test golden` writes the pictures, as PPM, to `target/tmp/golden`.
 
 mod conservative;
+mod floor;
+mod formats;
 mod functions;
 mod looks;
 mod multisample;

@@ -1,6 +1,7 @@
 //! The golden scenes.
 
 use crate::conservative;
+use crate::formats::{self, Tile};
 use crate::functions::{self, Functions};
 use crate::looks::{BlinnPhong, CutOpen, Gouraud, Holes, Stripes};
 use crate::multisample;
@@ -50,6 +51,7 @@ pub(crate) enum Look {
     Dots,
     Functions,
     Textured(Textured),
+    Tile(Tile),
 }
 
 impl Scene {
@@ -72,6 +74,10 @@ impl Layer {
             Look::Dots => pass.draw(&Dots, mesh, self.state),
             Look::Functions => pass.draw(&Functions, mesh, self.state),
             Look::Textured(look) => pass.draw(look, mesh, self.state),
+            Look::Tile(tile) => {
+                tile.draw(pass, mesh, self.state);
+                pass
+            }
             Look::Sprites(sprites) => pass.draw_instanced(&Sprites, mesh, sprites, self.state),
         };
     }
@@ -156,6 +162,7 @@ pub(crate) fn all() -> Vec<Scene> {
         Scene { format: Format::Srgb, ..scene("texture_levels", textures::levels()) },
         Scene { format: Format::Srgb, ..scene("texture_checks", textures::checks()) },
         Scene { format: Format::Srgb, samples: Samples::Four, ..scene("textures_of_4_samples", textures::samples()) },
+        Scene { format: Format::Srgb, ..scene("texture_formats", formats::sheet()) },
     ]
 }
 

@@ -9,3 +9,4 @@ mod queries;
 mod stencil;
 mod targets;
 mod windows;
+mod written_depth;

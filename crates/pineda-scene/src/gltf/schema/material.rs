@@ -1,4 +1,4 @@
-//! Materials, as the JSON has them.
+//! Materials, as the JSON has them: in f64, so that a number too large for an f32 is one field's trouble, not the file's.
 
 use serde::Deserialize;
 use serde::de::IgnoredAny;
@@ -14,11 +14,11 @@ pub(in crate::gltf) struct Material {
     pub(in crate::gltf) normal_texture: Option<TextureInfo>,
     pub(in crate::gltf) occlusion_texture: Option<TextureInfo>,
     pub(in crate::gltf) emissive_texture: Option<TextureInfo>,
-    pub(in crate::gltf) emissive_factor: Option<[f32; 3]>,
+    pub(in crate::gltf) emissive_factor: Option<[f64; 3]>,
     #[serde(default)]
     pub(in crate::gltf) double_sided: bool,
     pub(in crate::gltf) alpha_mode: Option<String>,
-    pub(in crate::gltf) alpha_cutoff: Option<f32>,
+    pub(in crate::gltf) alpha_cutoff: Option<f64>,
     #[serde(default)]
     pub(in crate::gltf) extensions: MaterialExtensions,
 }
@@ -26,10 +26,10 @@ pub(in crate::gltf) struct Material {
 #[derive(Debug, Default, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub(in crate::gltf) struct PbrMetallicRoughness {
-    pub(in crate::gltf) base_color_factor: Option<[f32; 4]>,
+    pub(in crate::gltf) base_color_factor: Option<[f64; 4]>,
     pub(in crate::gltf) base_color_texture: Option<TextureInfo>,
-    pub(in crate::gltf) metallic_factor: Option<f32>,
-    pub(in crate::gltf) roughness_factor: Option<f32>,
+    pub(in crate::gltf) metallic_factor: Option<f64>,
+    pub(in crate::gltf) roughness_factor: Option<f64>,
     pub(in crate::gltf) metallic_roughness_texture: Option<TextureInfo>,
 }
 
@@ -40,8 +40,8 @@ pub(in crate::gltf) struct TextureInfo {
     pub(in crate::gltf) index: Whole,
     #[serde(default)]
     pub(in crate::gltf) tex_coord: Whole,
-    pub(in crate::gltf) scale: Option<f32>,
-    pub(in crate::gltf) strength: Option<f32>,
+    pub(in crate::gltf) scale: Option<f64>,
+    pub(in crate::gltf) strength: Option<f64>,
     #[serde(default)]
     pub(in crate::gltf) extensions: TextureInfoExtensions,
 }
@@ -97,29 +97,29 @@ pub(in crate::gltf) struct MaterialExtensions {
 #[derive(Debug, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub(in crate::gltf) struct EmissiveStrength {
-    pub(in crate::gltf) emissive_strength: Option<f32>,
+    pub(in crate::gltf) emissive_strength: Option<f64>,
 }
 
 #[derive(Debug, Deserialize)]
 pub(in crate::gltf) struct Ior {
-    pub(in crate::gltf) ior: Option<f32>,
+    pub(in crate::gltf) ior: Option<f64>,
 }
 
 #[derive(Debug, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub(in crate::gltf) struct Specular {
-    pub(in crate::gltf) specular_factor: Option<f32>,
+    pub(in crate::gltf) specular_factor: Option<f64>,
     pub(in crate::gltf) specular_texture: Option<TextureInfo>,
-    pub(in crate::gltf) specular_color_factor: Option<[f32; 3]>,
+    pub(in crate::gltf) specular_color_factor: Option<[f64; 3]>,
     pub(in crate::gltf) specular_color_texture: Option<TextureInfo>,
 }
 
 #[derive(Debug, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub(in crate::gltf) struct Clearcoat {
-    pub(in crate::gltf) clearcoat_factor: Option<f32>,
+    pub(in crate::gltf) clearcoat_factor: Option<f64>,
     pub(in crate::gltf) clearcoat_texture: Option<TextureInfo>,
-    pub(in crate::gltf) clearcoat_roughness_factor: Option<f32>,
+    pub(in crate::gltf) clearcoat_roughness_factor: Option<f64>,
     pub(in crate::gltf) clearcoat_roughness_texture: Option<TextureInfo>,
     pub(in crate::gltf) clearcoat_normal_texture: Option<TextureInfo>,
 }
@@ -127,54 +127,54 @@ pub(in crate::gltf) struct Clearcoat {
 #[derive(Debug, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub(in crate::gltf) struct Sheen {
-    pub(in crate::gltf) sheen_color_factor: Option<[f32; 3]>,
+    pub(in crate::gltf) sheen_color_factor: Option<[f64; 3]>,
     pub(in crate::gltf) sheen_color_texture: Option<TextureInfo>,
-    pub(in crate::gltf) sheen_roughness_factor: Option<f32>,
+    pub(in crate::gltf) sheen_roughness_factor: Option<f64>,
     pub(in crate::gltf) sheen_roughness_texture: Option<TextureInfo>,
 }
 
 #[derive(Debug, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub(in crate::gltf) struct Transmission {
-    pub(in crate::gltf) transmission_factor: Option<f32>,
+    pub(in crate::gltf) transmission_factor: Option<f64>,
     pub(in crate::gltf) transmission_texture: Option<TextureInfo>,
 }
 
 #[derive(Debug, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub(in crate::gltf) struct Volume {
-    pub(in crate::gltf) thickness_factor: Option<f32>,
+    pub(in crate::gltf) thickness_factor: Option<f64>,
     pub(in crate::gltf) thickness_texture: Option<TextureInfo>,
-    pub(in crate::gltf) attenuation_distance: Option<f32>,
-    pub(in crate::gltf) attenuation_color: Option<[f32; 3]>,
+    pub(in crate::gltf) attenuation_distance: Option<f64>,
+    pub(in crate::gltf) attenuation_color: Option<[f64; 3]>,
 }
 
 #[derive(Debug, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub(in crate::gltf) struct Iridescence {
-    pub(in crate::gltf) iridescence_factor: Option<f32>,
+    pub(in crate::gltf) iridescence_factor: Option<f64>,
     pub(in crate::gltf) iridescence_texture: Option<TextureInfo>,
-    pub(in crate::gltf) iridescence_ior: Option<f32>,
-    pub(in crate::gltf) iridescence_thickness_minimum: Option<f32>,
-    pub(in crate::gltf) iridescence_thickness_maximum: Option<f32>,
+    pub(in crate::gltf) iridescence_ior: Option<f64>,
+    pub(in crate::gltf) iridescence_thickness_minimum: Option<f64>,
+    pub(in crate::gltf) iridescence_thickness_maximum: Option<f64>,
     pub(in crate::gltf) iridescence_thickness_texture: Option<TextureInfo>,
 }
 
 #[derive(Debug, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub(in crate::gltf) struct Anisotropy {
-    pub(in crate::gltf) anisotropy_strength: Option<f32>,
-    pub(in crate::gltf) anisotropy_rotation: Option<f32>,
+    pub(in crate::gltf) anisotropy_strength: Option<f64>,
+    pub(in crate::gltf) anisotropy_rotation: Option<f64>,
     pub(in crate::gltf) anisotropy_texture: Option<TextureInfo>,
 }
 
 #[derive(Debug, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub(in crate::gltf) struct SpecularGlossiness {
-    pub(in crate::gltf) diffuse_factor: Option<[f32; 4]>,
+    pub(in crate::gltf) diffuse_factor: Option<[f64; 4]>,
     pub(in crate::gltf) diffuse_texture: Option<TextureInfo>,
-    pub(in crate::gltf) specular_factor: Option<[f32; 3]>,
-    pub(in crate::gltf) glossiness_factor: Option<f32>,
+    pub(in crate::gltf) specular_factor: Option<[f64; 3]>,
+    pub(in crate::gltf) glossiness_factor: Option<f64>,
     pub(in crate::gltf) specular_glossiness_texture: Option<TextureInfo>,
 }
 

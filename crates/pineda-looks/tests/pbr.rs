@@ -1,0 +1,234 @@
+//! Physically based pictures of balls of many materials, by hash of the raw pixels: the same at every SIMD level, with any number of threads and any tile size.
+//!
+//! `PINEDA_PICTURES=1 cargo test -p pineda-looks --test pbr` writes the picture to `target/tmp/pbr.png`.
+
+#![allow(missing_docs, reason = "a test")]
+
+use pineda::{Renderer, Samples, Settings, Simd, TileSize};
+use pineda_looks::Stage;
+use pineda_looks::pbr::{self, Environment, PbrSettings, ToneMapping};
+use pineda_scene::{
+    AlphaMode, Anisotropy, Bounds, Clearcoat, Framing, Image, Iridescence, Material, Normals, Object, Sampler, Scene,
+    Sheen, Specular, SpecularGlossiness, Texels, Texture, TextureRef, Transmission, Vertex, View, Volume,
+};
+use std::sync::Arc;
+
+const SIZE: u32 = 160;
+
+/// A ball by square roots alone: an octahedron, its upper and lower pyramid blown up.
+fn ball(center: [f32; 3], material: usize) -> Object {
+    const STEPS: i32 = 10;
+    let mut object = Object { material, normals: Normals::Given, uvs: vec![vec![]], ..Object::default() };
+    for j in -STEPS..=STEPS {
+        for i in -STEPS..=STEPS {
+            let (x, z) = (i as f32 / STEPS as f32, j as f32 / STEPS as f32);
+            for side in [1.0, -1.0] {
+                let y = side * (1.0 - if x.abs() > z.abs() { x.abs() } else { z.abs() });
+                let length = (x * x + y * y + z * z).sqrt();
+                let normal = [x, y, z].map(|c| c / length);
+                let position = [0, 1, 2].map(|axis| center[axis] + 0.45 * normal[axis]);
+                object.vertices.push(Vertex { normal, ..Vertex::at(position) });
+                object.uvs[0].push([2.0 * x, 2.0 * z]);
+            }
+        }
+    }
+    let at = |i: i32, j: i32, side: u32| (((j + STEPS) * (2 * STEPS + 1) + i + STEPS) as u32) * 2 + side;
+    for (j, i) in (-STEPS..STEPS).flat_map(|j| (-STEPS..STEPS).map(move |i| (j, i))) {
+        let corners = |side| [at(i, j, side), at(i + 1, j, side), at(i + 1, j + 1, side), at(i, j + 1, side)];
+        let ([a, b, c, d], [e, f, g, h]) = (corners(0), corners(1));
+        object.triangles.extend([[a, c, b], [a, d, c], [e, f, g], [e, g, h]]);
+    }
+    object
+}
+
+/// Checkers: red and green say roughness and what else those channels say, blue metalness; every other field is a hole.
+fn checkers() -> Arc<Image> {
+    let texel = |k: u32| if (k % 16 / 2 + k / 32) % 2 == 0 { [255, 200, 60, 255] } else { [120, 60, 255, 40] };
+    let texels = Texels::Rgba8((0..16 * 16).map(texel).collect());
+    Arc::new(Image { name: "".into(), width: 16, height: 16, texels })
+}
+
+/// Bumps of 16 bits.
+fn bumps() -> Arc<Image> {
+    let code = |x: f32| (x * 32767.0 + 32768.0) as u16;
+    let texel = |k: u32| {
+        let [x, y] = [k % 16, k / 16].map(|c| (c % 8) as f32 / 3.5 - 1.0);
+        let length = (x * x + y * y + 1.0).sqrt();
+        [code(x / length), code(-y / length), code(1.0 / length), 65535]
+    };
+    let texels = Texels::Rgba16((0..16 * 16).map(texel).collect());
+    Arc::new(Image { name: "".into(), width: 16, height: 16, texels })
+}
+
+fn materials() -> Vec<Material> {
+    let (checkers, bumps) = (Some(TextureRef::new(0)), Some(TextureRef::new(1)));
+    let gold = Material { base_color_factor: [1.0, 0.76, 0.34, 1.0], roughness_factor: 0.25, ..Material::gltf() };
+    let paint = |color: [f32; 3], roughness_factor| {
+        let [r, g, b] = color;
+        Material { base_color_factor: [r, g, b, 1.0], metallic_factor: 0.0, roughness_factor, ..Material::gltf() }
+    };
+    vec![
+        Material { roughness_factor: 0.0, base_color_factor: [0.95, 0.95, 0.95, 1.0], ..Material::gltf() },
+        gold.clone(),
+        Material { metallic_roughness_texture: checkers, normal_texture: bumps, ..gold.clone() },
+        Material { anisotropy: Some(Anisotropy { strength: 0.9, ..Anisotropy::default() }), ..gold },
+        Material {
+            clearcoat: Some(Clearcoat { factor: 1.0, normal_texture: bumps, ..Clearcoat::default() }),
+            ..paint([0.7, 0.02, 0.03], 0.7)
+        },
+        Material {
+            sheen: Some(Sheen { color_factor: [0.9, 0.5, 0.9], roughness_factor: 0.4, ..Sheen::default() }),
+            ..paint([0.15, 0.02, 0.2], 0.9)
+        },
+        Material {
+            transmission: Some(Transmission { factor: 1.0, texture: None }),
+            volume: Some(Volume {
+                thickness_factor: 0.6,
+                attenuation_distance: 0.7,
+                attenuation_color: [0.3, 0.8, 0.6],
+                ..Volume::default()
+            }),
+            ..paint([1.0; 3], 0.05)
+        },
+        Material {
+            iridescence: Some(Iridescence { factor: 1.0, ..Iridescence::default() }),
+            specular: Some(Specular { color_factor: [0.9, 0.9, 1.0], ..Specular::default() }),
+            ..paint([0.02, 0.02, 0.03], 0.15)
+        },
+        Material {
+            base_color_texture: checkers,
+            occlusion_texture: checkers,
+            alpha_mode: AlphaMode::Mask { cutoff: 0.5 },
+            double_sided: true,
+            ..paint([0.9; 3], 0.5)
+        },
+        Material { alpha_mode: AlphaMode::Blend, ..paint([0.2, 0.4, 0.9], 0.3) },
+        Material { emissive_factor: [1.0, 0.35, 0.05], emissive_strength: 1.5, ..paint([0.1; 3], 0.5) },
+        Material {
+            specular_glossiness: Some(SpecularGlossiness {
+                diffuse_factor: [0.1, 0.5, 0.2, 1.0],
+                specular_factor: [0.3; 3],
+                glossiness_factor: 0.8,
+                ..SpecularGlossiness::default()
+            }),
+            ..Material::gltf()
+        },
+        Material { unlit: true, ..paint([0.9, 0.8, 0.1], 0.5) },
+        paint([0.8; 3], 1.0),
+    ]
+}
+
+/// A ball of each material on a plate.
+fn balls() -> Scene {
+    let mut materials = materials();
+    let mut objects: Vec<Object> = (0..materials.len() - 1)
+        .map(|k| ball([(k % 4) as f32 - 1.5, 0.45, (k / 4) as f32 - 1.5], k))
+        .collect();
+    materials[9].base_color_factor[3] = 0.5;
+    let corners = [[-2.1, 0.0, -2.1], [-2.1, 0.0, 2.1], [2.1, 0.0, 2.1], [2.1, 0.0, -2.1]];
+    objects.push(Object {
+        vertices: corners.map(Vertex::at).to_vec(),
+        triangles: vec![[0, 1, 2], [0, 2, 3]],
+        material: materials.len() - 1,
+        ..Object::default()
+    });
+    let texture = |image| Texture { name: "".into(), image, sampler: Sampler::default() };
+    Scene {
+        objects,
+        materials,
+        textures: vec![texture(0), texture(1)],
+        images: vec![checkers(), bumps()],
+        ..Scene::default()
+    }
+}
+
+fn draw(environment: &Environment, settings: &PbrSettings, renderer: &mut Renderer) -> Vec<[f32; 4]> {
+    let mut scene = balls();
+    let view = View { elevation: 38.0, ..View::default() };
+    let framing = Framing::new(&Bounds::of(&scene).unwrap(), &view).unwrap();
+    let stage = Stage::new(&mut scene, &framing, 1.0, 0.0).unwrap();
+    pbr::draw(&stage, &scene, environment, settings, [SIZE; 2], renderer).unwrap()
+}
+
+/// FNV-1a over the bits of all pixels.
+fn hash(pixels: &[[f32; 4]]) -> u64 {
+    pixels.as_flattened().iter().fold(0xcbf2_9ce4_8422_2325, |hash, x| {
+        (hash ^ u64::from(x.to_bits())).wrapping_mul(0x0100_0000_01b3)
+    })
+}
+
+/// Over grey, so that alpha is seen.
+fn write(pixels: &[[f32; 4]]) {
+    let file = std::fs::File::create(concat!(env!("CARGO_TARGET_TMPDIR"), "/pbr.png")).unwrap();
+    let code = |x: f32| (x.clamp(0.0, 1.0).powf(1.0 / 2.2) * 255.0 + 0.5) as u8;
+    let bytes: Vec<u8> =
+        pixels.iter().flat_map(|&[r, g, b, a]| [r, g, b].map(|c| code(c + 0.4 * (1.0 - a)))).collect();
+    let mut png = png::Encoder::new(file, SIZE, SIZE);
+    png.set_color(png::ColorType::Rgb);
+    png.write_header().unwrap().write_image_data(&bytes).unwrap();
+}
+
+#[test]
+fn pbr_golden() {
+    for (simd, (threads, tile)) in
+        Simd::available().into_iter().zip([(1, TileSize::T64), (3, TileSize::T16)].into_iter().cycle())
+    {
+        let mut renderer = Renderer::new(Settings { simd, threads, tile, ..Settings::default() }).unwrap();
+        let environment = Environment::studio(&mut renderer).unwrap();
+        let pixels = draw(&environment, &PbrSettings::default(), &mut renderer);
+        if std::env::var_os("PINEDA_PICTURES").is_some() {
+            write(&pixels);
+        }
+        let hash = hash(&pixels);
+        assert_eq!(hash, 0x451b_d6b3_8fdf_b307, "{hash:#018x} at {simd}, {threads} threads, {tile:?}");
+    }
+}
+
+/// A panorama that is white all around, without shadows: nothing is brighter than it, and a white matt surface is as bright.
+#[test]
+fn pbr_neither_makes_nor_loses_light() {
+    let mut renderer = Renderer::new(Settings::default()).unwrap();
+    let white = Environment::panorama(8, 4, &[[1.0; 3]; 32], &mut renderer).unwrap();
+    let settings = PbrSettings {
+        samples: Samples::One,
+        tone_mapping: ToneMapping::None,
+        occlusion: false,
+        ground: false,
+        ..PbrSettings::default()
+    };
+    let mut scene = Scene {
+        objects: (0..2).map(|k| ball([k as f32, 0.0, 0.0], k)).collect(),
+        materials: vec![
+            Material { metallic_factor: 0.0, ..Material::gltf() },
+            Material { roughness_factor: 0.5, ..Material::gltf() },
+        ],
+        ..Scene::default()
+    };
+    let framing = Framing::new(&Bounds::of(&scene).unwrap(), &View::default()).unwrap();
+    let stage = Stage::new(&mut scene, &framing, 1.0, 0.0).unwrap();
+    let pixels = pbr::draw(&stage, &scene, &white, &settings, [SIZE; 2], &mut renderer).unwrap();
+    let mut covered = 0;
+    for [r, g, b, _] in pixels.into_iter().filter(|pixel| pixel[3] > 0.0) {
+        covered += 1;
+        assert!([r, g, b].iter().all(|light| (0.97..=1.0).contains(light)), "{r} {g} {b}");
+    }
+    assert!(covered > 2000, "{covered}");
+}
+
+/// What is not there is transparent; a ground's shadow is black and lets light through.
+#[test]
+fn pbr_leaves_the_background_to_others() {
+    let mut renderer = Renderer::new(Settings::default()).unwrap();
+    let environment = Environment::studio(&mut renderer).unwrap();
+    let bare = draw(&environment, &PbrSettings { ground: false, ..PbrSettings::default() }, &mut renderer);
+    let grounded = draw(&environment, &PbrSettings::default(), &mut renderer);
+    let mut shadowed = 0;
+    for (bare, grounded) in bare.iter().zip(&grounded) {
+        if bare[3] == 0.0 {
+            assert_eq!((*bare, &grounded[..3]), ([0.0; 4], &[0.0; 3][..]));
+            shadowed += u32::from(grounded[3] > 0.0);
+            assert!((0.0..1.0).contains(&grounded[3]));
+        }
+    }
+    assert!(shadowed > 500, "{shadowed}");
+}
