@@ -56,7 +56,7 @@ impl BaseColor<'_> {
     pub fn at<L: Lanes>(&self, vertex_color: Vec4<L>, uvs: [Vec2<Dual<L>>; UV_SETS]) -> Rgba<L> {
         let mut color = Rgba::from(vertex_color * self.factor);
         if let Some(map) = &self.map {
-            color = color * map.sample(uvs);
+            color *= map.sample(uvs);
         }
         if self.has_alpha { color } else { Rgba { a: Real::new(color.a.lanes(), 1.0), ..color } }
     }

@@ -69,7 +69,7 @@ impl Shader for CutOut<'_> {
         let mut alpha = f.alpha * self.alpha;
         if let Some(map) = &self.map {
             let Opacity { uv, uv_1, .. } = f.dual();
-            alpha = alpha * map.sample([uv, uv_1]).a;
+            alpha *= map.sample([uv, uv_1]).a;
         }
         f.discard(alpha.lt(self.cutoff));
         Rgba::gray(f.splat(1.0))

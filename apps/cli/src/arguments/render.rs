@@ -38,7 +38,7 @@ pub(crate) struct FileArguments {
     #[arg(long, value_name = "DIR", conflicts_with = "output")]
     pub(crate) out_dir: Option<PathBuf>,
     /// Makes the models' folders in --out-dir, too: chairs/a.glb becomes DIR/chairs/a.png
-    #[arg(long, requires = "out_dir")]
+    #[arg(long, conflicts_with = "output")]
     pub(crate) keep_folders: bool,
     /// What pictures are, whatever their names say; needed for -o -
     #[arg(long, value_enum, value_name = "FORMAT")]
@@ -50,10 +50,10 @@ pub(crate) struct FileArguments {
     #[arg(long, value_name = "N", default_value_t = 92, value_parser = clap::value_parser!(u8).range(1..=100))]
     pub(crate) quality: u8,
     /// Leaves out models whose picture is there and no older than the model's own file; other files and options are not looked at
-    #[arg(long, requires = "out_dir")]
+    #[arg(long, conflicts_with = "output")]
     pub(crate) resume: bool,
     /// Models that are drawn at the same time, and so in memory [default: one per thread]
-    #[arg(long, value_name = "N", requires = "out_dir", value_parser = clap::value_parser!(u16).range(1..=256))]
+    #[arg(long, value_name = "N", conflicts_with = "output", value_parser = clap::value_parser!(u16).range(1..=256))]
     pub(crate) jobs: Option<u16>,
     /// Prints a report for programs to standard output
     #[arg(long)]

@@ -62,7 +62,10 @@ fn many(models: &[PathBuf], folder: &Path, files: &FileArguments) -> Result<(Vec
     let mut taken: HashMap<PathBuf, &Path> = HashMap::with_capacity(models.len());
     let mut jobs = Vec::with_capacity(models.len());
     for model in models {
-        let picture = folder.join(name(model, files.keep_folders)?.with_added_extension(format.extension()));
+        let mut picture = folder.join(name(model, files.keep_folders)?).into_os_string();
+        // Added, not set: chair.v2.glb is not chair.png.
+        picture.push(format!(".{}", format.extension()));
+        let picture = PathBuf::from(picture);
         if let Some(other) = taken.insert(picture.clone(), model) {
             let (a, b) = (other.display(), model.display());
             let help = if other == model {

@@ -106,7 +106,7 @@ fn batch_usage() {
     folder.fail(&["render", "--out-dir", "out"], 2, &["no models", "help: "]);
     folder.fail(&["render", "a.obj"], 2, &["--output"]);
     folder.fail(&["render", "a.obj", "-o", "a.png", "--out-dir", "out"], 2, &["cannot be used"]);
-    folder.fail(&["render", "a.obj", "-o", "a.png", "--resume"], 2, &["--out-dir"]);
+    folder.fail(&["render", "a.obj", "-o", "a.png", "--resume"], 2, &["--resume"]);
     folder.fail(&["render", "a.obj", "--out-dir", "a.obj"], 1, &["folder for pictures", "where: a.obj"]);
     folder.succeed(&["render", "a.obj", "--out-dir", "deep/er", "--size", "8x8", "--picture-format", "webp"]);
     assert!(folder.read("deep/er/a.webp").starts_with(b"RIFF"));

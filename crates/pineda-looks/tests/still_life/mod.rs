@@ -131,7 +131,7 @@ fn image(size: u32, texel: impl Fn(f32, f32) -> [u8; 4]) -> Arc<Image> {
 /// Dark and bright, and red where u is small, green where v is small.
 fn checkers() -> Arc<Image> {
     image(32, |u, v| {
-        let is_dark = ((u * 8.0) as u32 + (v * 8.0) as u32) % 2 == 0;
+        let is_dark = ((u * 8.0) as u32 + (v * 8.0) as u32).is_multiple_of(2);
         let bright = if is_dark { 90 } else { 220 };
         [bright - (u * 80.0) as u8, bright - (v * 80.0) as u8, bright, 255]
     })
