@@ -121,9 +121,8 @@ fn materials() -> Vec<Material> {
 /// A ball of each material on a plate.
 fn balls() -> Scene {
     let mut materials = materials();
-    let mut objects: Vec<Object> = (0..materials.len() - 1)
-        .map(|k| ball([(k % 4) as f32 - 1.5, 0.45, (k / 4) as f32 - 1.5], k))
-        .collect();
+    let mut objects: Vec<Object> =
+        (0..materials.len() - 1).map(|k| ball([(k % 4) as f32 - 1.5, 0.45, (k / 4) as f32 - 1.5], k)).collect();
     materials[9].base_color_factor[3] = 0.5;
     let corners = [[-2.1, 0.0, -2.1], [-2.1, 0.0, 2.1], [2.1, 0.0, 2.1], [2.1, 0.0, -2.1]];
     objects.push(Object {
@@ -152,17 +151,17 @@ fn draw(environment: &Environment, settings: &PbrSettings, renderer: &mut Render
 
 /// FNV-1a over the bits of all pixels.
 fn hash(pixels: &[[f32; 4]]) -> u64 {
-    pixels.as_flattened().iter().fold(0xcbf2_9ce4_8422_2325, |hash, x| {
-        (hash ^ u64::from(x.to_bits())).wrapping_mul(0x0100_0000_01b3)
-    })
+    pixels
+        .as_flattened()
+        .iter()
+        .fold(0xcbf2_9ce4_8422_2325, |hash, x| (hash ^ u64::from(x.to_bits())).wrapping_mul(0x0100_0000_01b3))
 }
 
 /// Over grey, so that alpha is seen.
 fn write(pixels: &[[f32; 4]]) {
     let file = std::fs::File::create(concat!(env!("CARGO_TARGET_TMPDIR"), "/pbr.png")).unwrap();
     let code = |x: f32| (x.clamp(0.0, 1.0).powf(1.0 / 2.2) * 255.0 + 0.5) as u8;
-    let bytes: Vec<u8> =
-        pixels.iter().flat_map(|&[r, g, b, a]| [r, g, b].map(|c| code(c + 0.4 * (1.0 - a)))).collect();
+    let bytes: Vec<u8> = pixels.iter().flat_map(|&[r, g, b, a]| [r, g, b].map(|c| code(c + 0.4 * (1.0 - a)))).collect();
     let mut png = png::Encoder::new(file, SIZE, SIZE);
     png.set_color(png::ColorType::Rgb);
     png.write_header().unwrap().write_image_data(&bytes).unwrap();
