@@ -125,6 +125,12 @@ impl From<ModelFormat> for pineda_scene::Format {
     }
 }
 
+/// Steps of exposure.
+pub(crate) fn exposure(text: &str) -> Result<f64, String> {
+    let steps = finite(text)?;
+    if (-32.0..=32.0).contains(&steps) { Ok(steps) } else { Err("must lie in -32 to 32".to_owned()) }
+}
+
 /// A field of view in degrees.
 pub(crate) fn field_of_view(text: &str) -> Result<f64, String> {
     let degrees = finite(text)?;

@@ -4,7 +4,6 @@
 //!
 //! | mode | shader | what it shows | target |
 //! | --- | --- | --- | --- |
-//! | [`Studio`](Mode::Studio) | [`Studio`] | a photographer's soft light: key, fill, rim and a bright sky | `Rgba8Srgb`, `Rgba32F` |
 //! | [`Unlit`](Mode::Unlit) | [`Unlit`] | base colour, texture and vertex colour, no light | `Rgba8Srgb`, `Rgba32F` |
 //! | [`Lambert`](Mode::Lambert) | [`Lambert`], [`MappedLambert`] | one distant light and a quarter of ambient light | `Rgba8Srgb`, `Rgba32F` |
 //! | [`Normals`](Mode::Normals) | [`Normals`], [`MappedNormals`] | the normal, `n * 0.5 + 0.5` | `Rgba8`, `Rgba32F` |
@@ -50,10 +49,8 @@ mod normal_map;
 mod normals;
 pub mod pbr;
 mod stage;
-mod studio;
 mod surface;
 mod tangent_frame;
-mod tone;
 mod unlit;
 mod uv;
 mod wireframe;
@@ -69,7 +66,6 @@ pub use mode::{Mode, Show, Textures};
 pub use normal_map::{Bumpy, MappedLambert, MappedNormals, NormalMap};
 pub use normals::Normals;
 pub use stage::{Camera, Prop, Stage};
-pub use studio::{Lamp, Studio};
 pub use surface::{Surface, Vertex};
 pub use unlit::Unlit;
 pub use uv::Uv;

@@ -4,15 +4,13 @@ use crate::base_color::BaseColor;
 use crate::cut_out::CutOut;
 use crate::normal_map::{MappedLambert, MappedNormals, NormalMap};
 use crate::stage::{Camera, Prop, Stage};
-use crate::{Alpha, Depth, Gallery, Lambert, Layer, Matcap, Normals, Studio, Unlit, Uv, Vertex, Wireframe};
+use crate::{Alpha, Depth, Gallery, Lambert, Layer, Matcap, Normals, Unlit, Uv, Vertex, Wireframe};
 use pineda::{Blend, DepthBias, DepthState, DrawState, Error, Mesh, Pass, PolygonMode, PrimitiveTopology, Shader};
 use pineda_scene::{AlphaMode, Scene};
 
 /// What to show.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Mode {
-    /// [`Studio`]; light within 0 to 1.
-    Studio,
     /// [`Unlit`]; light within 0 to 1.
     Unlit,
     /// [`Lambert`]; light within 0 to 1.
@@ -36,7 +34,7 @@ impl Mode {
     #[must_use]
     pub fn alpha(self) -> Alpha {
         match self {
-            Self::Studio | Self::Unlit | Self::Lambert => Alpha::Blends,
+            Self::Unlit | Self::Lambert => Alpha::Blends,
             Self::Normals | Self::Depth | Self::Uv | Self::Matcap => Alpha::Cuts,
             // Overdraw counts fragments, so that each object is drawn once only.
             Self::Wireframe | Self::Overdraw => Alpha::Ignored,
@@ -158,7 +156,6 @@ fn look<'s>(
     };
     let mut base = || BaseColor::of(material, gallery, textures.mipmaps);
     Ok(match mode {
-        Mode::Studio => Box::new(studio(camera, base()?)),
         Mode::Unlit => Box::new(Unlit { clip_from_world, base: base()? }),
         Mode::Lambert => {
             let lambert = Lambert::new(clip_from_world, base()?);
@@ -182,10 +179,4 @@ fn look<'s>(
         Mode::Matcap => Box::new(Matcap { clip_from_world, eye, up: camera.up }),
         Mode::Overdraw => Box::new(cut_out(camera, prop, scene, gallery, textures)?),
     })
-}
-
-fn studio<'s>(camera: &Camera, base: BaseColor<'s>) -> Studio<'s> {
-    // The light of a parallel projection is that of an eye far away.
-    let far_away = if camera.is_orthographic { 1e4 } else { 1.0 };
-    Studio::new(camera.clip_from_world, camera.eye.map(|x| x * far_away), [0.0; 3], camera.up, base)
 }

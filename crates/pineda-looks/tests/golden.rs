@@ -4,7 +4,7 @@
 #![allow(missing_docs, reason = "a test")]
 
 use pineda::{ColorBuffer, DrawState, Indices, Mat4, Mesh, Pass, Renderer, Settings, Shader, Simd, Target, TileSize};
-use pineda_looks::{BaseColor, Depth, Lambert, Normals, Studio, Vertex};
+use pineda_looks::{BaseColor, Depth, Lambert, Normals, Vertex};
 
 const SIZE: u32 = 96;
 const EYE: [f32; 3] = [1.0, 1.5, 3.0];
@@ -97,21 +97,15 @@ fn depth_golden() {
     check(&Depth::perspective(camera(), NEAR, FAR), 0x55dd_940d_ee4c_336b);
 }
 
-#[test]
-fn studio_golden() {
-    let base = BaseColor::opaque([0.9, 0.8, 0.7]);
-    check(&Studio::new(camera(), EYE, [0.0; 3], [0.0, 1.0, 0.0], base), 0x23ad_541d_a4d8_e864);
-}
-
-/// What is seen of the surface faces the eye, on both sides of it; and light neither vanishes nor burns out.
+/// What is seen of the surface faces the eye, on both sides of it; and light does not vanish.
 #[test]
 fn looks_stay_in_range() {
     let settings = Settings::default();
-    let studio = draw(&Studio::new(camera(), EYE, [0.0; 3], [0.0, 1.0, 0.0], BaseColor::default()), &settings);
+    let lambert = draw(&Lambert::new(camera(), BaseColor::default()), &settings);
     let normals = draw(&Normals { clip_from_world: camera() }, &settings);
     let depth = draw(&Depth::perspective(camera(), NEAR, FAR), &settings);
     let mut covered = 0;
-    for ((light, normal), depth) in studio.iter().zip(&normals).zip(&depth) {
+    for ((light, normal), depth) in lambert.iter().zip(&normals).zip(&depth) {
         assert_eq!([light[3], normal[3]], [depth[3]; 2]);
         if depth[3] == 0.0 {
             continue;
@@ -121,7 +115,7 @@ fn looks_stay_in_range() {
         assert!((x * x + y * y + z * z - 1.0).abs() < 1e-5);
         // Towards the camera, up to what a ray off the picture's middle and the facets' own silhouette take away.
         assert!(x * EYE[0] + y * EYE[1] + z * EYE[2] > -1.6, "{normal:?}");
-        assert!(light[..3].iter().all(|&c| c > 0.02 && c < 1.0), "{light:?}");
+        assert!(light[..3].iter().all(|&c| c > 0.02 && c <= 1.0), "{light:?}");
         assert!(depth[0] > 0.0 && depth[0] < 1.0);
     }
     assert!(covered > 2000, "{covered}");

@@ -112,8 +112,3 @@ fn modes_matcap_golden() {
 fn modes_overdraw_golden() {
     check("overdraw", &VIEW, Mode::Overdraw, FLAT, 0x5cd1_d884_e736_2325);
 }
-
-#[test]
-fn modes_studio_golden() {
-    check("studio", &VIEW, Mode::Studio, FLAT, 0x6fcd_aac9_7fb7_55a6);
-}

@@ -2,7 +2,7 @@
 
 use crate::picture::PictureFormat;
 use crate::values::{
-    Background, ModelFormat, SampleCount, Size, Up, Vector, crease_angle, field_of_view, finite, positive,
+    Background, ModelFormat, SampleCount, Size, Up, Vector, crease_angle, exposure, field_of_view, finite, positive,
 };
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
@@ -136,14 +136,26 @@ pub(crate) struct LookArguments {
     #[arg(long, value_name = "WxH", default_value = "1024x1024")]
     pub(crate) size: Size,
     /// What to show of the surface
-    #[arg(long, value_enum, default_value = "studio")]
+    #[arg(long, value_enum, default_value = "pbr")]
     pub(crate) shading: Shading,
-    /// Samples a pixel: 1 (no anti-aliasing), 2, 4, 8 or 16 [default: 4 for studio, matcap and wireframe, else 1]
+    /// Samples a pixel: 1 (no anti-aliasing), 2, 4, 8 or 16 [default: 4 for pbr, matcap and wireframe, else 1]
     #[arg(long, value_name = "N")]
     pub(crate) samples: Option<SampleCount>,
-    /// transparent, studio, black, white, gray, #rgb or #rrggbb [default: studio with studio shading, else transparent; white in JPEGs]
+    /// transparent, studio, black, white, gray, #rgb or #rrggbb [default: studio with pbr shading, else transparent; white in JPEGs]
     #[arg(long, value_name = "COLOR")]
     pub(crate) background: Option<Background>,
+    /// Light from all around, in pbr shading: a panorama, .hdr or .exr [default: a studio with a key light]
+    #[arg(long, value_name = "FILE")]
+    pub(crate) environment: Option<PathBuf>,
+    /// Makes pbr pictures brighter or darker: each step doubles the light
+    #[arg(long, value_name = "EV", default_value = "0", value_parser = exposure, allow_negative_numbers = true)]
+    pub(crate) exposure: f64,
+    /// How light that is brighter than a screen is shown, in pbr shading
+    #[arg(long, value_enum, default_value = "neutral")]
+    pub(crate) tone_mapping: ToneMapping,
+    /// Whether a shadow lies on the ground below the model, in pbr shading
+    #[arg(long, value_enum, default_value = "on")]
+    pub(crate) ground: Switch,
     /// Whether textures that are seen small are looked up in smaller images; off: bilinearly in the full-size one
     #[arg(long, value_enum, default_value = "on")]
     pub(crate) mipmaps: Switch,
@@ -151,15 +163,15 @@ pub(crate) struct LookArguments {
     #[arg(long, value_enum, default_value = "off")]
     pub(crate) normal_maps: Switch,
     /// Where the model has no normals: smooth them between faces that meet at less than this angle; 0 for flat faces
-    /// [default: 40 with studio, matcap and wireframe shading, else 0]
+    /// [default: 40 with pbr, matcap and wireframe shading, else 0]
     #[arg(long, value_name = "DEG", value_parser = crease_angle, allow_negative_numbers = true)]
     pub(crate) smooth: Option<f64>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Shading {
-    /// Soft studio light, anti-aliased
-    Studio,
+    /// Physically based materials in a photographer's studio, or in light from --environment; anti-aliased
+    Pbr,
     /// Base colour, texture and vertex colour without any light; exact, for comparisons
     Unlit,
     /// One distant light; exact, for comparisons
@@ -183,6 +195,16 @@ pub(crate) enum Shading {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum ToneMapping {
+    /// Khronos PBR Neutral: colours stay what they are, highlights fade to white
+    Neutral,
+    /// The film industry's curve: more contrast
+    Aces,
+    /// Cut off
+    None,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Switch {
     On,
     Off,
@@ -194,6 +216,7 @@ Examples:
   pineda render spot.obj -o spot.png --size 1920x1080 --azimuth 120
   pineda render part.stl -o part.webp --up z --frame tight --background transparent --samples 16
   pineda render fox.gltf -o run.png --animation Run --time 0.4
+  pineda render helmet.glb -o helmet.png --environment sunset.hdr --exposure 0.5 --background '#202020'
   pineda render room.glb -o room.jpg --camera 0 --size 1600x900
   pineda render fox.gltf -o depth.exr --shading depth --eye 0,80,250 --look-at 0,40,0
 

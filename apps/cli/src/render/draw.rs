@@ -7,14 +7,25 @@ use crate::failure::Failure;
 use crate::heat;
 use crate::picture::Pixels;
 use pineda::{ColorBuffer, NO_ID, Pass, PrimitiveTopology, Renderer, Target};
+use pineda_looks::pbr::{self, Environment};
 use pineda_looks::{Layer, Mode, Show, Stage};
 use pineda_scene::Scene;
 
 /// The picture of a stage whose objects came from `scene`.
-pub(crate) fn draw(stage: &Stage, scene: &Scene, plan: &Plan, renderer: &mut Renderer) -> Result<Pixels, Failure> {
+pub(crate) fn draw(
+    stage: &Stage,
+    scene: &Scene,
+    plan: &Plan,
+    environment: Option<&Environment>,
+    renderer: &mut Renderer,
+) -> Result<Pixels, Failure> {
     match plan.shading {
-        // Other looks, with lights of their own, belong here: whatever gives light multiplied by alpha.
-        Shading::Studio => Ok(develop::light(colors(stage, scene, Mode::Studio, plan, renderer)?, plan)),
+        Shading::Pbr => {
+            let size = [plan.size.width, plan.size.height];
+            // Made before anything was drawn.
+            let Some(environment) = environment else { return Err(Failure::data("there is no light")) };
+            Ok(develop::light(pbr::draw(stage, scene, environment, &plan.pbr, size, renderer)?, plan))
+        }
         Shading::Unlit => Ok(develop::light(colors(stage, scene, Mode::Unlit, plan, renderer)?, plan)),
         Shading::Lambert => Ok(develop::light(colors(stage, scene, Mode::Lambert, plan, renderer)?, plan)),
         Shading::Wireframe => Ok(develop::light(colors(stage, scene, Mode::Wireframe, plan, renderer)?, plan)),

@@ -4,6 +4,7 @@ mod batch;
 mod camera;
 mod develop;
 mod draw;
+mod environment;
 mod load;
 mod names;
 mod plan;
@@ -20,6 +21,7 @@ use crate::picture::Picture;
 use names::Job;
 use pineda::Renderer;
 use pineda_looks::Stage;
+use pineda_looks::pbr::Environment;
 use pineda_scene::Loaded;
 use plan::Plan;
 use progress::Progress;
@@ -31,17 +33,24 @@ use std::time::Instant;
 pub(crate) fn run(arguments: &RenderArguments, how: &How) -> Result<(), Failure> {
     let (jobs, format) = names::jobs(&arguments.models, &arguments.files)?;
     let plan = Plan::new(arguments, format)?;
+    let environment = environment::of(arguments, how)?;
+    let draw = |job: &Job, renderer: &mut Renderer| draw(job, &plan, environment.as_ref(), arguments, renderer);
     match &arguments.files.out_dir {
-        Some(_) => many(&jobs, &plan, arguments, how),
-        None => one(&jobs[0], &plan, arguments, how),
+        Some(_) => many(&jobs, &plan, arguments, how, draw),
+        None => one(&jobs[0], &plan, arguments, how, draw),
     }
 }
 
+/// Draws and writes a picture; see [`draw`].
+trait Draw: Fn(&Job, &mut Renderer) -> Result<Vec<String>, Failure> + Sync {}
+
+impl<F: Fn(&Job, &mut Renderer) -> Result<Vec<String>, Failure> + Sync> Draw for F {}
+
 /// One picture: what is wrong with it is what is wrong.
-fn one(job: &Job, plan: &Plan, arguments: &RenderArguments, how: &How) -> Result<(), Failure> {
+fn one(job: &Job, plan: &Plan, arguments: &RenderArguments, how: &How, draw: impl Draw) -> Result<(), Failure> {
     job.output.check()?;
     let start = Instant::now();
-    let drawn = how.renderer().and_then(|mut renderer| draw(job, plan, arguments, &mut renderer));
+    let drawn = how.renderer().and_then(|mut renderer| draw(job, &mut renderer));
     if !arguments.files.json {
         Progress::new(1).lines(&lines(drawn.as_deref().unwrap_or_default(), None));
         return drawn.map(|_| ());
@@ -56,7 +65,7 @@ fn one(job: &Job, plan: &Plan, arguments: &RenderArguments, how: &How) -> Result
 }
 
 /// Many pictures: what is wrong with some is listed when the others are done.
-fn many(jobs: &[Job], plan: &Plan, arguments: &RenderArguments, how: &How) -> Result<(), Failure> {
+fn many(jobs: &[Job], plan: &Plan, arguments: &RenderArguments, how: &How, draw: impl Draw) -> Result<(), Failure> {
     for job in jobs {
         if let Output::File(path) = &job.output {
             output::make_folder(path.parent().unwrap_or(Path::new("")))?;
@@ -69,7 +78,7 @@ fn many(jobs: &[Job], plan: &Plan, arguments: &RenderArguments, how: &How) -> Re
             return Outcome::Skipped;
         }
         let start = Instant::now();
-        match job.output.check().and_then(|()| draw(job, plan, arguments, renderer)) {
+        match job.output.check().and_then(|()| draw(job, renderer)) {
             Ok(notes) => {
                 if !files.json {
                     progress.lines(&lines(&notes, job.model.as_deref()));
@@ -96,7 +105,13 @@ fn many(jobs: &[Job], plan: &Plan, arguments: &RenderArguments, how: &How) -> Re
 }
 
 /// Draws and writes a picture. The result is what was left out of the model.
-fn draw(job: &Job, plan: &Plan, arguments: &RenderArguments, renderer: &mut Renderer) -> Result<Vec<String>, Failure> {
+fn draw(
+    job: &Job,
+    plan: &Plan,
+    environment: Option<&Environment>,
+    arguments: &RenderArguments,
+    renderer: &mut Renderer,
+) -> Result<Vec<String>, Failure> {
     let loaded = match &job.model {
         None => Loaded { scene: pineda_scene::demo(), notes: Vec::new() },
         Some(path) => load::posed(path, arguments.files.model_format, &plan.pose)?,
@@ -111,7 +126,7 @@ fn draw(job: &Job, plan: &Plan, arguments: &RenderArguments, renderer: &mut Rend
     let stage = Stage::new(&mut scene, &framing, aspect, plan.crease)
         .ok_or_else(|| Failure::data("the model has nothing to draw"))
         .map_err(place)?;
-    let pixels = draw::draw(&stage, &scene, plan, renderer).map_err(place)?;
+    let pixels = draw::draw(&stage, &scene, plan, environment, renderer).map_err(place)?;
     let picture = Picture { size: plan.size, pixels };
     job.output.write(&picture.encode(plan.format, plan.quality)?)?;
     Ok(notes)

@@ -1,11 +1,12 @@
 //! What the options amount to together, the same for every model.
 
-use crate::arguments::{RenderArguments, Shading, Switch};
+use crate::arguments::{RenderArguments, Shading, Switch, ToneMapping};
 use crate::failure::Failure;
 use crate::picture::PictureFormat;
 use crate::values::{Background, Size};
 use pineda::Samples;
 use pineda_looks::Textures;
+use pineda_looks::pbr::{self, PbrSettings};
 use pineda_scene::{Pose, Select};
 
 /// The angle up to which faces are smoothed into each other in the looks made for people, in degrees.
@@ -19,6 +20,8 @@ pub(crate) struct Plan {
     pub(crate) samples: Samples,
     pub(crate) background: Background,
     pub(crate) textures: Textures,
+    /// Of [`Shading::Pbr`].
+    pub(crate) pbr: PbrSettings,
     /// 0 for flat faces.
     pub(crate) crease: f64,
     pub(crate) pose: Pose,
@@ -29,7 +32,7 @@ pub(crate) struct Plan {
 impl Shading {
     /// Whether it is to be looked at rather than measured.
     fn is_for_people(self) -> bool {
-        matches!(self, Self::Studio | Self::Matcap | Self::Wireframe)
+        matches!(self, Self::Pbr | Self::Matcap | Self::Wireframe)
     }
 
     /// Whether pixels are numbers that must not be mixed, with neighbours or with a background.
@@ -75,6 +78,18 @@ impl Plan {
             samples,
             background: background(look.background, shading, format)?,
             textures: Textures { mipmaps: look.mipmaps == Switch::On, normal_maps: look.normal_maps == Switch::On },
+            pbr: PbrSettings {
+                samples,
+                exposure: libm::exp2(look.exposure) as f32,
+                tone_mapping: match look.tone_mapping {
+                    ToneMapping::Neutral => pbr::ToneMapping::Neutral,
+                    ToneMapping::Aces => pbr::ToneMapping::Aces,
+                    ToneMapping::None => pbr::ToneMapping::None,
+                },
+                ground: look.ground == Switch::On,
+                mipmaps: look.mipmaps == Switch::On,
+                ..PbrSettings::default()
+            },
             crease: look.smooth.unwrap_or(if shading.is_for_people() { DEFAULT_CREASE } else { 0.0 }),
             pose: pose(arguments),
             quality: arguments.files.quality,
@@ -90,7 +105,7 @@ fn background(asked: Option<Background>, shading: Shading, format: PictureFormat
     }
     Ok(match asked {
         Some(background) => background,
-        None if shading == Shading::Studio => Background::Studio,
+        None if shading == Shading::Pbr => Background::Studio,
         None if format == PictureFormat::Jpeg => Background::Color([255; 3]),
         None => Background::Transparent,
     })

@@ -100,7 +100,7 @@ fn looks_of_lines_and_points() {
     let folder = Workspace::new("strokes");
     for (name, mode) in [("points", 0), ("lines", 1)] {
         Squares { mode, ..Squares::default() }.write(&folder, name);
-        for shading in ["studio", "unlit", "lambert", "normals", "ids", "uv", "wireframe", "matcap", "overdraw"] {
+        for shading in ["pbr", "unlit", "lambert", "normals", "ids", "uv", "wireframe", "matcap", "overdraw"] {
             let model = format!("{name}.gltf");
             folder.succeed(&["render", &model, "-o", "a.png", "--size", "16x16", "--shading", shading]);
             let png = folder.png("a.png");

@@ -136,6 +136,7 @@ pub fn draw(
     let light = Light {
         clip_from_world: stage.camera.clip_from_world,
         eye: stage.camera.eye,
+        to_eye: stage.camera.to_eye(),
         environment,
         axes,
         key: key.as_ref().map(|shadow| (studio::KEY_LIGHT, shadow)),

@@ -77,6 +77,8 @@ pub(super) struct LookAround<'a> {
     radius: f32,
     /// Pixels that a unit at distance 1 is wide.
     focal: f32,
+    /// Whether it is so wide at any distance.
+    is_orthographic: bool,
 }
 
 impl LookAround<'_> {
@@ -87,7 +89,8 @@ impl LookAround<'_> {
         let here = self.places.fetch(column, row, 0);
         let normal = self.normals.fetch(column, row, 0).rgb();
         let distance = here.rgb().dot(self.forward);
-        let reach = (self.radius * self.focal / distance.max(1e-3)).min(200.0);
+        let smaller = if self.is_orthographic { distance * 0.0 + 1.0 } else { distance.max(1e-3) };
+        let reach = (self.radius * self.focal / smaller).min(200.0);
         // Interleaved gradient noise (Jimenez 2014).
         let noise = (52.982_918 * (0.067_110_56 * x + 0.005_837_15 * y).fract()).fract();
         let (sine, cosine) = (noise * TAU).sin_cos();
@@ -166,7 +169,8 @@ impl Occlusion {
             paint::map(paint, Target { color, ..Target::new(width, height) }, renderer)?;
             Texture2d::<Rgba32F>::new(width, height, pixels)
         };
-        let look = LookAround { places: &places, normals: &normals, forward, radius, focal };
+        let is_orthographic = camera.is_orthographic;
+        let look = LookAround { places: &places, normals: &normals, forward, radius, focal, is_orthographic };
         let noisy = painted(&Paint::LookAround(look))?;
         Ok(Self { map: painted(&Paint::Smooth(Smooth { map: &noisy, radius }))?, forward })
     }

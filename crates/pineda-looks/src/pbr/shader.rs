@@ -35,6 +35,8 @@ varyings! {
 pub(super) struct Light<'a> {
     pub(super) clip_from_world: Mat4,
     pub(super) eye: [f32; 3],
+    /// The eye, homogeneous: infinitely far away without perspective.
+    pub(super) to_eye: [f32; 4],
     pub(super) environment: &'a Environment,
     /// The environment's frame in the stage's world: where its x, y and z point.
     pub(super) axes: [[f32; 3]; 3],
@@ -235,7 +237,8 @@ impl Surface<'_, '_> {
         }
         let frame = self.frame(seen, place);
         let geometric = frame[2];
-        let to_eye = (light.eye - seen.position).normalize();
+        let [x, y, z, w] = light.to_eye;
+        let to_eye = ([x, y, z] - seen.position * w).normalize();
         let mapped = self.mapped_normal(frame, &coating.normal_map, coating.normal_scale, place);
         // Bent back to the outline where interpolation, or the map, has turned it away from the eye.
         let normal = (mapped - to_eye * mapped.dot(to_eye).min(0.0)).normalize();
