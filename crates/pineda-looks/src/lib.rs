@@ -16,7 +16,7 @@
 //! Which object and triangle a pixel shows needs no shader: [`Target::draw_ids`](pineda::Target) and [`Target::triangle_ids`](pineda::Target) say it, and
 //! [`Target::hits`](pineda::Target) how many triangles cover it.
 //!
-//! Back faces turn their normals around, so both sides of a surface are lit. What is cut out (`MASK`) is not there, in all modes but wireframes; what is blended (`BLEND`) is so in the first three modes, and opaque in the others.
+//! Back faces turn their normals around, so both sides of a surface are lit. What is cut out (`MASK`) is not there, in all modes but wireframes; what is blended (`BLEND`) is so in the first two modes, and opaque in the others.
 //! A picture whose background is transparent black has its colours multiplied by alpha then: it wants a target of floats, and to be divided by alpha at last.
 //!
 //! ```
