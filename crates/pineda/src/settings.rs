@@ -67,11 +67,11 @@ pub enum Simd {
     /// The best that this CPU has.
     #[default]
     Auto,
-    /// No vector instructions: plain Rust on arrays.
+    /// No vector instructions: plain Rust on arrays. Shaders are not compiled for it on x86-64 and ARM; their stages run at the baseline there.
     Scalar,
     /// x86-64's baseline.
     Sse2,
-    /// x86-64-v2.
+    /// x86-64-v2; shaders run at the baseline, of which they miss nothing.
     Sse4_2,
     /// x86-64-v3.
     Avx2,

@@ -68,25 +68,18 @@ macro_rules! dispatch {
 }
 pub(crate) use dispatch;
 
-/// [`dispatch!`] for what is compiled once for each shader, and takes longest: without a copy for SSE4.2, which computes nothing in a shader that SSE2 does not. It has a fifth less to compile.
+/// [`dispatch!`] for what is compiled once for each shader, and takes longest to compile: AVX2 and AVX-512 where there are such, and for all other levels the one that the machine's kind has at least
+/// (SSE2, NEON). Nothing that shaders compute is quicker with SSE4.2, and lanes at the level without vectors are judged by themselves (`lanes/conformance.rs`).
 macro_rules! dispatch_shader {
     ($level:expr, $simd:pat => $run:expr) => {
         match $level {
-            fearless_simd::Level::Fallback(token) => $crate::wide::dispatch!(@at token, $simd => $run),
             #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
             fearless_simd::Level::Avx2(token) => $crate::wide::dispatch!(@at token, $simd => $run),
             #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
             fearless_simd::Level::Avx512(token) => $crate::wide::dispatch!(@at token, $simd => $run),
-            #[cfg(target_arch = "aarch64")]
-            fearless_simd::Level::Neon(token) => $crate::wide::dispatch!(@at token, $simd => $run),
-            #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
-            fearless_simd::Level::WasmSimd128(token) => $crate::wide::dispatch!(@at token, $simd => $run),
-            level => {
-                #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-                if let Some(token) = level.as_sse2() {
-                    return $crate::wide::dispatch!(@at token, $simd => $run);
-                }
-                unreachable!("fearless_simd has a level that pineda does not know: {level:?}")
+            _ => {
+                let $simd = $crate::shading::native().0;
+                $run
             }
         }
     };

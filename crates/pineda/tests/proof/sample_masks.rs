@@ -83,6 +83,7 @@ fn covered(mesh: &[[f32; 4]], state: DrawState, each: usize, samples: Samples) -
 /// Whatever of a triangle is visible, its fragment is told all samples that it covers, but for those that the draw masks; shaded by sample, that one.
 #[test]
 fn fragments_know_the_samples_that_they_cover() {
+    let mut drawn = std::collections::BTreeSet::new();
     for seed in 0..if cfg!(debug_assertions) { 6 } else { 16 } {
         let mut random = Random::new(seed);
         let samples = SEVERAL[seed as usize % 4];
@@ -135,9 +136,10 @@ fn fragments_know_the_samples_that_they_cover() {
             seen.push(colors);
         }
         assert!(seen[0] == seen[1], "seed {seed}: tiles change masks");
-        let drawn: std::collections::BTreeSet<_> = seen[0].iter().filter(|c| c[1] > 0).map(|c| c[3]).collect();
-        assert_eq!(drawn.len(), KINDS.len(), "every draw is seen");
+        drawn.extend(seen[0].iter().filter(|c| c[1] > 0).map(|c| c[3]));
     }
+    // One picture's draws may hide each other.
+    assert_eq!(drawn.len(), KINDS.len(), "every kind of draw is seen");
 }
 
 /// Where pixels have one sample, all that is covered has the mask 1 and the number 0, whatever the draw says.
