@@ -4,10 +4,7 @@ use super::{Picture, PictureFormat, Pixels};
 use crate::failure::Failure;
 use crate::srgb::SRGB;
 use crate::values::Size;
-use image::ExtendedColorType;
-use image::codecs::jpeg::JpegEncoder;
-use image::codecs::openexr::OpenExrEncoder;
-use image::{ImageEncoder, ImageError};
+use exr::prelude::{Image, SpecificChannels, Vec2, WritableImage};
 use png::{BitDepth, ColorType, Compression, SrgbRenderingIntent};
 use std::io::Cursor;
 
@@ -49,10 +46,12 @@ impl Picture {
 
     fn jpeg(&self, quality: u8) -> Result<Vec<u8>, Failure> {
         let Pixels::Rgb8(pixels) = &self.pixels else { return Err(cannot_hold("JPEG", "alpha or 16 bits")) };
-        let Size { width, height } = self.size;
+        let (Ok(width), Ok(height)) = (self.size.width.try_into(), self.size.height.try_into()) else {
+            return Err(Failure::usage("a JPEG has at most 65535 pixels a side").help("name the output .png"));
+        };
         let mut bytes = Vec::new();
-        let encoder = JpegEncoder::new_with_quality(&mut bytes, quality);
-        encoder.write_image(pixels.as_flattened(), width, height, ExtendedColorType::Rgb8).map_err(image_error)?;
+        let encoder = jpeg_encoder::Encoder::new(&mut bytes, quality);
+        encoder.encode(pixels.as_flattened(), width, height, jpeg_encoder::ColorType::Rgb).map_err(cannot_encode)?;
         Ok(bytes)
     }
 
@@ -72,11 +71,11 @@ impl Picture {
     /// Channels R, G, B and A of 32-bit floats, multiplied by alpha, as OpenEXR has it.
     fn exr(&self) -> Result<Vec<u8>, Failure> {
         let Pixels::Rgba32F(pixels) = &self.pixels else { return Err(cannot_hold("EXR", "integers")) };
-        let Size { width, height } = self.size;
-        let data: Vec<u8> = pixels.as_flattened().iter().flat_map(|channel| channel.to_ne_bytes()).collect();
+        let (width, height) = (self.size.width as usize, self.size.height as usize);
+        let channels = SpecificChannels::rgba(|Vec2(x, y)| <(f32, f32, f32, f32)>::from(pixels[y * width + x]));
         let mut bytes = Cursor::new(Vec::new());
-        let encoder = OpenExrEncoder::new(&mut bytes);
-        encoder.write_image(&data, width, height, ExtendedColorType::Rgba32F).map_err(image_error)?;
+        let image = Image::from_channels((width, height), channels);
+        image.write().to_buffered(&mut bytes).map_err(cannot_encode)?;
         Ok(bytes.into_inner())
     }
 
@@ -105,10 +104,6 @@ fn cannot_encode(error: impl std::fmt::Display) -> Failure {
     Failure::data(format_args!("the picture cannot be encoded: {error}"))
 }
 
-fn image_error(error: ImageError) -> Failure {
-    cannot_encode(error)
-}
-
 fn big_endian(words: &[u16]) -> Vec<u8> {
     words.iter().flat_map(|word| word.to_be_bytes()).collect()
 }
@@ -125,6 +120,7 @@ fn before_black([r, g, b, a]: [u8; 4]) -> [u8; 3] {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use exr::prelude::{ReadChannels, ReadLayers, read};
 
     fn encode(pixels: Pixels, format: PictureFormat) -> Result<Vec<u8>, Failure> {
         Picture { size: Size { width: 2, height: 1 }, pixels }.encode(format, 90)
@@ -165,15 +161,18 @@ mod tests {
     fn picture_as_exr_is_read_back() {
         let pixels = vec![[0.5, 1e-9, 7.25, 1.0], [0.0, 0.1, -2.0, 0.25]];
         let bytes = encode(Pixels::Rgba32F(pixels.clone()), PictureFormat::Exr).unwrap();
-        let read = image::load_from_memory_with_format(&bytes, image::ImageFormat::OpenExr).unwrap();
-        assert_eq!(read.as_rgba32f().unwrap().as_raw(), pixels.as_flattened());
+        let size = |size: Vec2<usize>, _: &_| vec![[0.0; 4]; size.area()];
+        let set = |read: &mut Vec<_>, at: Vec2<usize>, (r, g, b, a): (f32, f32, f32, f32)| read[at.0] = [r, g, b, a];
+        let layers = read().no_deep_data().largest_resolution_level().rgba_channels(size, set).first_valid_layer();
+        let image = layers.all_attributes().from_buffered(Cursor::new(bytes)).unwrap();
+        assert_eq!(image.layer_data.channel_data.pixels, pixels);
     }
 
     #[test]
     fn picture_as_jpeg_is_alike() {
         let bytes = encode(Pixels::Rgb8(vec![[200, 100, 50]; 2]), PictureFormat::Jpeg).unwrap();
-        let read = image::load_from_memory_with_format(&bytes, image::ImageFormat::Jpeg).unwrap().into_rgb8();
-        for (channel, wanted) in read.get_pixel(1, 0).0.into_iter().zip([200, 100, 50]) {
+        let read = zune_jpeg::JpegDecoder::new(zune_core::bytestream::ZCursor::new(&bytes)).decode().unwrap();
+        for (channel, wanted) in read[3..].iter().zip([200u8, 100, 50]) {
             assert!(channel.abs_diff(wanted) < 4, "{read:?}");
         }
     }

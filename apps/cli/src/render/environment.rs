@@ -2,12 +2,17 @@
 
 use crate::arguments::{How, RenderArguments, Shading};
 use crate::failure::Failure;
-use image::{ImageReader, Limits};
+use exr::meta::MetaData;
+use exr::prelude::{ReadChannels, ReadLayers, Vec2, read};
 use pineda_looks::pbr::Environment;
+use std::io::Cursor;
 use std::path::Path;
+use zune_core::bytestream::ZCursor;
+use zune_core::options::DecoderOptions;
+use zune_hdr::HdrDecoder;
 
 /// Panoramas have at most so many pixels a side: far more than what is left of them when they are filtered.
-const MOST: u32 = 16384;
+const MOST: usize = 16384;
 
 /// The studio, or the panorama that was asked for; none for looks that have no use for it. All models share it.
 pub(crate) fn of(arguments: &RenderArguments, how: &How) -> Result<Option<Environment>, Failure> {
@@ -30,20 +35,41 @@ pub(crate) fn of(arguments: &RenderArguments, how: &How) -> Result<Option<Enviro
     }))
 }
 
-fn panorama(path: &Path) -> Result<(u32, u32, Vec<[f32; 3]>), Failure> {
-    let wrong = |error: &dyn std::fmt::Display| {
+/// Its width and height, and its pixels in linear light, row by row from the top.
+type Panorama = (u32, u32, Vec<[f32; 3]>);
+
+fn panorama(path: &Path) -> Result<Panorama, Failure> {
+    let wrong = |error: String| {
         Failure::data(format_args!("the environment cannot be read: {error}"))
             .at(path.display())
             .help("it must be a .hdr (Radiance) or .exr (OpenEXR) panorama, twice as wide as high")
     };
-    let mut reader = ImageReader::open(path).map_err(|error| wrong(&error))?;
-    let mut limits = Limits::default();
-    (limits.max_image_width, limits.max_image_height) = (Some(MOST), Some(MOST));
-    reader.limits(limits);
-    let picture =
-        reader.with_guessed_format().map_err(|error| wrong(&error))?.decode().map_err(|error| wrong(&error))?;
-    let picture = picture.into_rgb32f();
-    let (width, height) = picture.dimensions();
-    let pixels = picture.into_raw().chunks_exact(3).map(|pixel| [pixel[0], pixel[1], pixel[2]]).collect();
-    Ok((width, height, pixels))
+    let bytes = std::fs::read(path).map_err(|error| wrong(error.to_string()))?;
+    let read = if bytes.starts_with(b"#?") { radiance(&bytes) } else { openexr(&bytes) };
+    read.map_err(wrong)
+}
+
+fn radiance(bytes: &[u8]) -> Result<Panorama, String> {
+    let limits = DecoderOptions::default().set_max_width(MOST).set_max_height(MOST);
+    let mut decoder = HdrDecoder::new_with_options(ZCursor::new(bytes), limits);
+    let pixels = decoder.decode().map_err(|error| error.to_string())?;
+    let (width, height) = decoder.dimensions().ok_or("it has no size")?;
+    Ok((width as u32, height as u32, pixels.as_chunks().0.to_vec()))
+}
+
+fn openexr(bytes: &[u8]) -> Result<Panorama, String> {
+    let said = |error: exr::error::Error| error.to_string();
+    // What comes first says how large all is.
+    let headers = MetaData::read_from_buffered(bytes, false).map_err(said)?.headers;
+    if headers.iter().any(|header| header.layer_size.0.max(header.layer_size.1) > MOST) {
+        return Err(format!("it is more than {MOST} pixels wide or high"));
+    }
+    let empty = |size: Vec2<usize>, _: &_| (size, vec![[0.0; 3]; size.area()]);
+    let set = |(size, pixels): &mut (Vec2<usize>, Vec<[f32; 3]>), at: Vec2<usize>, (r, g, b, _): (f32, f32, f32, f32)| {
+        pixels[at.1 * size.0 + at.0] = [r, g, b];
+    };
+    let layers = read().no_deep_data().largest_resolution_level().rgba_channels(empty, set);
+    let image = layers.first_valid_layer().all_attributes().from_buffered(Cursor::new(bytes)).map_err(said)?;
+    let (Vec2(width, height), pixels) = image.layer_data.channel_data.pixels;
+    Ok((width as u32, height as u32, pixels))
 }
