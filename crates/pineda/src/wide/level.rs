@@ -69,7 +69,7 @@ macro_rules! dispatch {
 pub(crate) use dispatch;
 
 /// [`dispatch!`] for what is compiled once for each shader, and takes longest to compile: AVX2 and AVX-512 where there are such, and for all other levels the one that the machine's kind has at least
-/// (SSE2, NEON). Nothing that shaders compute is quicker with SSE4.2, and lanes at the level without vectors are judged by themselves (`lanes/conformance.rs`).
+/// (SSE2, NEON). The lanes of those other levels are judged by themselves (`lanes/conformance.rs`).
 macro_rules! dispatch_shader {
     ($level:expr, $simd:pat => $run:expr) => {
         match $level {
