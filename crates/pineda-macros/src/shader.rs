@@ -1,19 +1,21 @@
-//! `#[shader]`: inlines what a SIMD level's code must contain.
+//! `#[shader]`: inlines what a SIMD level's code must contain, or makes a function of its own of it that has the level's instructions.
 
-use proc_macro2::{Span, TokenStream};
+use proc_macro2::{Ident, Span, TokenStream};
 use quote::ToTokens;
+use syn::parse::{Parse, ParseStream};
 use syn::visit_mut::{self, VisitMut};
 use syn::{
-    Attribute, Error, Expr, GenericParam, ImplItem, ImplItemFn, Item, ItemFn, ItemImpl, Local, Path, ReturnType,
-    TraitItemFn, parse_quote,
+    Attribute, Block, Error, Expr, FnArg, GenericParam, ImplItem, ImplItemFn, Item, ItemFn, ItemImpl, Local, Meta, Pat,
+    Path, ReturnType, Signature, TraitItemFn, parenthesized, parse_quote,
 };
 
 pub(crate) fn expand(arguments: TokenStream, item: TokenStream) -> Result<TokenStream, Error> {
-    if !arguments.is_empty() {
-        return Err(Error::new_spanned(arguments, "#[shader] takes no arguments"));
-    }
     let mut item: Item = syn::parse2(item)?;
-    match &item {
+    match &mut item {
+        Item::Fn(function) if !arguments.is_empty() => function.attrs.push(parse_quote!(#[shader(#arguments)])),
+        _ if !arguments.is_empty() => {
+            return Err(Error::new_spanned(arguments, "#[shader] takes arguments above a `fn` only: `apart`"));
+        }
         Item::Fn(_) | Item::Impl(_) | Item::Trait(_) => {}
         Item::Mod(module) if module.content.is_some() => {}
         _ => {
@@ -23,29 +25,83 @@ pub(crate) fn expand(arguments: TokenStream, item: TokenStream) -> Result<TokenS
             ));
         }
     }
-    Inliner.visit_item_mut(&mut item);
-    Ok(item.into_token_stream())
+    let mut inliner = Inliner { problem: None };
+    inliner.visit_item_mut(&mut item);
+    inliner.problem.map_or_else(|| Ok(item.into_token_stream()), Err)
 }
 
 /// Adds the attribute to every function inside, and to the closures where stable Rust allows an attribute.
-struct Inliner;
+struct Inliner {
+    /// The last one found.
+    problem: Option<Error>,
+}
+
+impl Inliner {
+    /// A function is inlined; one that is to be apart calls its body as a function at its lanes' level.
+    fn function(&mut self, attributes: &mut Vec<Attribute>, signature: &Signature, body: &mut Block) {
+        match attributes.iter().find_map(|attribute| lanes(attribute, signature)) {
+            Some(Ok(lanes)) => *body = parse_quote!({ (#lanes).lanes().apart(#[inline(always)] || #body) }),
+            Some(Err(problem)) => self.problem = Some(problem),
+            None => {}
+        }
+        inline(attributes);
+    }
+}
+
+/// What says at which width and level a function runs that is to be apart: what the attribute names, or else the first argument.
+fn lanes(attribute: &Attribute, signature: &Signature) -> Option<Result<Expr, Error>> {
+    let Meta::List(list) = &attribute.meta else { return None };
+    if !ends_with(&list.path, "shader") {
+        return None;
+    }
+    Some(list.parse_args().and_then(|Apart(lanes)| match (lanes, signature.inputs.first()) {
+        (Some(lanes), _) => Ok(lanes),
+        (None, Some(FnArg::Receiver(_))) => Ok(parse_quote!(self)),
+        (None, Some(FnArg::Typed(argument))) if let Pat::Ident(name) = &*argument.pat => {
+            let name = &name.ident;
+            Ok(parse_quote!(#name))
+        }
+        _ => Err(Error::new_spanned(
+            signature,
+            "#[shader(apart)] asks the first argument for its lanes, and this one has no name; say what to ask: #[shader(apart(normal))]",
+        )),
+    }))
+}
+
+/// `apart`, or `apart(normal)`.
+struct Apart(Option<Expr>);
+
+impl Parse for Apart {
+    fn parse(input: ParseStream<'_>) -> Result<Self, Error> {
+        let word: Ident = input.parse()?;
+        if word != "apart" {
+            return Err(Error::new_spanned(word, "the only argument of #[shader] is `apart`"));
+        }
+        if input.is_empty() {
+            return Ok(Self(None));
+        }
+        let lanes;
+        parenthesized!(lanes in input);
+        Ok(Self(Some(lanes.parse()?)))
+    }
+}
 
 impl VisitMut for Inliner {
     fn visit_item_fn_mut(&mut self, function: &mut ItemFn) {
-        inline(&mut function.attrs);
         visit_mut::visit_item_fn_mut(self, function);
+        self.function(&mut function.attrs, &function.sig, &mut function.block);
     }
 
     fn visit_impl_item_fn_mut(&mut self, function: &mut ImplItemFn) {
-        inline(&mut function.attrs);
         visit_mut::visit_impl_item_fn_mut(self, function);
+        self.function(&mut function.attrs, &function.sig, &mut function.block);
     }
 
     fn visit_trait_item_fn_mut(&mut self, function: &mut TraitItemFn) {
-        if function.default.is_some() {
-            inline(&mut function.attrs);
-        }
         visit_mut::visit_trait_item_fn_mut(self, function);
+        if let Some(body) = &mut function.default {
+            self.function(&mut function.attrs, &function.sig, body);
+        }
     }
 
     fn visit_item_impl_mut(&mut self, block: &mut ItemImpl) {

@@ -71,7 +71,7 @@ pub enum Simd {
     Scalar,
     /// x86-64's baseline.
     Sse2,
-    /// x86-64-v2; shaders run at the baseline, of which they miss nothing.
+    /// x86-64-v2. Shaders are not compiled for it either: they do without its rounding, selecting and multiplying.
     Sse4_2,
     /// x86-64-v3.
     Avx2,

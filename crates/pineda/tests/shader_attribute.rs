@@ -123,6 +123,32 @@ fn inside<L: Lanes>(x: Real<L>) -> Bool<L> {
     x.gt(-1.0) & x.lt(1.0) & !x.eq(0.0)
 }
 
+/// Functions of their own: the lanes are those of the first argument, or of what is named.
+#[shader(apart)]
+fn cube<L: Lanes>(x: Real<L>) -> Real<L> {
+    if L::N == 0 {
+        return x;
+    }
+    x * x * x
+}
+
+struct Line(f32);
+
+#[shader]
+impl Line {
+    #[shader(apart(at.x))]
+    fn height<L: Lanes>(&self, mut at: Vec3<L>) -> Real<L> {
+        at.x *= self.0;
+        at.x
+    }
+}
+
+#[test]
+fn functions_of_their_own_return_what_they_would_inlined() {
+    assert_eq!(cube(Real::<Scalar>::from(3.0)), 27.0.into());
+    assert_eq!(Line(0.5).height(Vec3::<Scalar>::from([3.0, 0.0, 0.0])), 1.5.into());
+}
+
 #[test]
 fn modules_traits_functions_and_closures_do_what_they_say() {
     let toon = shaders::Toon { steps: vec![0.1, 0.5, 0.9] };

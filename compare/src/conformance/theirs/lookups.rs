@@ -18,6 +18,14 @@ const LAYOUT: wgpu::VertexBufferLayout<'_> = wgpu::VertexBufferLayout {
     attributes: &wgpu::vertex_attr_array![0 => Float32x4, 1 => Float32x4],
 };
 
+/// What is drawn.
+enum Geometry<'a> {
+    /// The whole picture: a buffer of places, and the fragment stage that looks them up.
+    Places(&'a wgpu::Buffer, &'a str),
+    /// Vertices.
+    Triangles(&'a wgpu::Buffer),
+}
+
 impl Theirs {
     /// Whether textures of f32 can be filtered.
     pub(crate) fn filters_floats(&self) -> bool {
@@ -38,37 +46,25 @@ impl Theirs {
             How::Gradient => "gradient",
             How::Compare => "compare",
         };
-        let places = self.device.device.create_buffer_init(&BufferInitDescriptor {
-            label: None,
-            contents: bytemuck::cast_slice(places),
-            usage: wgpu::BufferUsages::STORAGE,
-        });
-        let is_compared = how == "compare";
-        let bindings = [(0, places.as_entire_binding())];
-        self.draw_textured("whole_picture", &format!("{kind}_{how}"), &bindings, texture, sampler, is_compared, None)
+        let buffer = self.filled(bytemuck::cast_slice(places), wgpu::BufferUsages::STORAGE);
+        self.draw_textured(&Geometry::Places(&buffer, &format!("{kind}_{how}")), texture, sampler)
     }
 
     /// A picture of textured triangles.
     pub(crate) fn draw_surfaces(&self, Surfaces { texture, sampler, vertices }: &Surfaces) -> Result<Vec<[f32; 4]>> {
-        let vertices = self.device.device.create_buffer_init(&BufferInitDescriptor {
-            label: None,
-            contents: bytemuck::cast_slice(vertices),
-            usage: wgpu::BufferUsages::VERTEX,
-        });
-        self.draw_textured("surface", "on_surface", &[], texture, sampler, false, Some(&vertices))
+        let buffer = self.filled(bytemuck::cast_slice(vertices), wgpu::BufferUsages::VERTEX);
+        self.draw_textured(&Geometry::Triangles(&buffer), texture, sampler)
     }
 
-    #[expect(clippy::too_many_arguments, reason = "what a draw call needs")]
-    fn draw_textured(
-        &self,
-        vertex: &str,
-        fragment: &str,
-        bindings: &[(u32, wgpu::BindingResource<'_>)],
-        texture: &Texture,
-        sampler: &Sampler,
-        is_compared: bool,
-        vertices: Option<&wgpu::Buffer>,
-    ) -> Result<Vec<[f32; 4]>> {
+    fn filled(&self, contents: &[u8], usage: wgpu::BufferUsages) -> wgpu::Buffer {
+        self.device.device.create_buffer_init(&BufferInitDescriptor { label: None, contents, usage })
+    }
+
+    fn draw_textured(&self, geometry: &Geometry<'_>, texture: &Texture, sampler: &Sampler) -> Result<Vec<[f32; 4]>> {
+        let (vertex, fragment, buffers): (_, _, &[_]) = match geometry {
+            Geometry::Places(_, fragment) => ("whole_picture", *fragment, &[]),
+            Geometry::Triangles(_) => ("surface", "on_surface", &[Some(LAYOUT)]),
+        };
         let device = &self.device.device;
         let format = wgpu::TextureFormat::Rgba32Float;
         let pipeline = device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
@@ -78,7 +74,7 @@ impl Theirs {
                 module: &self.lookups,
                 entry_point: Some(vertex),
                 compilation_options: wgpu::PipelineCompilationOptions::default(),
-                buffers: if vertices.is_some() { &[Some(LAYOUT)] } else { &[] },
+                buffers,
             },
             primitive: wgpu::PrimitiveState::default(),
             depth_stencil: None,
@@ -92,13 +88,15 @@ impl Theirs {
             multiview_mask: None,
             cache: None,
         });
-        let (view, sampler) = (self.uploaded(texture), device.create_sampler(&descriptor(sampler, is_compared)));
-        let mut entries: Vec<_> = bindings
-            .iter()
-            .map(|(binding, resource)| wgpu::BindGroupEntry { binding: *binding, resource: resource.clone() })
-            .collect();
-        entries.push(wgpu::BindGroupEntry { binding: 1, resource: wgpu::BindingResource::Sampler(&sampler) });
-        entries.push(wgpu::BindGroupEntry { binding: 2, resource: wgpu::BindingResource::TextureView(&view) });
+        let view = self.uploaded(texture);
+        let sampler = device.create_sampler(&descriptor(sampler, texture.format == Format::Depth16));
+        let mut entries = vec![
+            wgpu::BindGroupEntry { binding: 1, resource: wgpu::BindingResource::Sampler(&sampler) },
+            wgpu::BindGroupEntry { binding: 2, resource: wgpu::BindingResource::TextureView(&view) },
+        ];
+        if let Geometry::Places(places, _) = geometry {
+            entries.push(wgpu::BindGroupEntry { binding: 0, resource: places.as_entire_binding() });
+        }
         let layout = &pipeline.get_bind_group_layout(0);
         let bindings = device.create_bind_group(&wgpu::BindGroupDescriptor { label: None, layout, entries: &entries });
 
@@ -129,11 +127,12 @@ impl Theirs {
         });
         pass.set_pipeline(&pipeline);
         pass.set_bind_group(0, &bindings, &[]);
-        if let Some(vertices) = vertices {
-            pass.set_vertex_buffer(0, vertices.slice(..));
-            pass.draw(0..(vertices.size() / size_of::<Vertex>() as u64) as u32, 0..1);
-        } else {
-            pass.draw(0..3, 0..1);
+        match geometry {
+            Geometry::Places(..) => pass.draw(0..3, 0..1),
+            Geometry::Triangles(vertices) => {
+                pass.set_vertex_buffer(0, vertices.slice(..));
+                pass.draw(0..(vertices.size() / size_of::<Vertex>() as u64) as u32, 0..1);
+            }
         }
         drop(pass);
         let readback = self.readback(u64::from(SIDE * SIDE) * 16);

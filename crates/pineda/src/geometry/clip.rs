@@ -235,7 +235,7 @@ mod tests {
         let mut padded = [positions[0]; 16];
         padded[..3].copy_from_slice(&positions);
         let mut out = [ScreenVertex::default(); 16];
-        crate::wide::dispatch!(fearless_simd::Level::fallback(), s => projection.project(s, &padded, &mut out));
+        projection.project(fearless_simd::Level::fallback(), &padded, &mut out);
         [out[0], out[1], out[2]]
     }
 

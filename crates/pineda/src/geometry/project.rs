@@ -12,7 +12,8 @@ use super::exact::determinant_is_zero;
 use super::raster_space::{GUARD_BAND, OFF_RASTER, SUBPIXELS, ScreenVertex};
 use crate::pass::{Space, Viewport};
 use crate::transpose::columns4;
-use crate::wide::{Simd, f32x16, f64x8, i32x16, i64x8, mask32x16, u32x16};
+use crate::wide::{Simd, dispatch, f32x16, f64x8, i32x16, i64x8, mask32x16, u32x16};
+use fearless_simd::Level;
 
 /// The planes that a vertex can lie outside of, one bit each; what [`ScreenVertex::outcode`] holds.
 pub(crate) mod outcode {
@@ -128,8 +129,13 @@ impl Projection {
     }
 
     /// Projects sixteen positions.
+    #[inline(never)]
+    pub(crate) fn project(&self, level: Level, positions: &[[f32; 4]; 16], out: &mut [ScreenVertex; 16]) {
+        dispatch!(level, s => self.project_at(s, positions, out));
+    }
+
     #[inline(always)]
-    pub(crate) fn project<S: Simd>(&self, s: S, positions: &[[f32; 4]; 16], out: &mut [ScreenVertex; 16]) {
+    fn project_at<S: Simd>(&self, s: S, positions: &[[f32; 4]; 16], out: &mut [ScreenVertex; 16]) {
         let [x, y, z, w] = columns(s, positions);
         let raster = self.space == Space::Raster;
         let zero = f32x16::splat(s, 0.0);

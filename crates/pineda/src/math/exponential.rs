@@ -12,6 +12,7 @@
 
 use super::Real;
 use crate::lanes::Lanes;
+use crate::shader;
 use core::f32::consts::{LN_2, LOG2_E};
 
 /// c0 + x (c1 + x (c2 + ...)), rounded after every step.
@@ -30,7 +31,7 @@ const LN_2_LOW: f32 = -2.121_944_4e-4;
 
 impl<L: Lanes> Real<L> {
     /// 2 to the power of `self`, to 0.8 ULP, and exact for whole numbers. 0 below -126, infinity from 128 on.
-    #[inline(always)]
+    #[shader(apart)]
     pub fn exp2(self) -> Self {
         let shifted = self + ROUND;
         let power = (self - (shifted - ROUND)).exp2_of_fraction();
@@ -56,7 +57,7 @@ impl<L: Lanes> Real<L> {
     }
 
     /// e to the power of `self`, to 1 ULP. 0 below -87.33654, infinity above 88.72283.
-    #[inline(always)]
+    #[shader(apart)]
     pub fn exp(self) -> Self {
         let shifted = self * LOG2_E + ROUND;
         let exponent = shifted - ROUND;
@@ -68,7 +69,7 @@ impl<L: Lanes> Real<L> {
     }
 
     /// The natural logarithm, to 1 ULP. -infinity of 0 (and -0), NaN below 0.
-    #[inline(always)]
+    #[shader(apart)]
     pub fn log(self) -> Self {
         let (exponent, x) = self.split();
         let squared = x * x;

@@ -7,6 +7,7 @@
 use super::hash::hash1;
 use super::{Bool, Real, Uint, Vec2, Vec3};
 use crate::lanes::Lanes;
+use crate::shader;
 
 /// 2^32 over the powers of the plastic number, made odd. Their multiples lie far apart, so that neighbours in the lattice hash different numbers
 /// (Roberts 2018, "The unreasonable effectiveness of quasirandom sequences").
@@ -30,20 +31,25 @@ const OCTAVE_SHIFT: [f32; 3] = [0.371, 0.617, 0.243];
 /// assert_eq!(at(3.0, -5.0), 0.0);
 /// assert!((at(3.4, 1.2) - at(3.401, 1.2)).abs() < 0.01);
 /// ```
-#[inline(always)]
+#[shader(apart)]
 pub fn gradient2<L: Lanes>(p: Vec2<L>, seed: u32) -> Real<L> {
-    gradient2_with_slope(p, seed).0
+    value_and_slope2(p, seed).0
 }
 
 /// Smooth random numbers in space, from -1 to 1 and mostly from -0.6 to 0.6; see [`gradient2`].
-#[inline(always)]
+#[shader(apart)]
 pub fn gradient3<L: Lanes>(p: Vec3<L>, seed: u32) -> Real<L> {
-    gradient3_with_slope(p, seed).0
+    value_and_slope3(p, seed).0
 }
 
 /// [`gradient2`], and its derivatives by x and y.
-#[inline(always)]
+#[shader(apart)]
 pub fn gradient2_with_slope<L: Lanes>(p: Vec2<L>, seed: u32) -> (Real<L>, Vec2<L>) {
+    value_and_slope2(p, seed)
+}
+
+#[inline(always)]
+fn value_and_slope2<L: Lanes>(p: Vec2<L>, seed: u32) -> (Real<L>, Vec2<L>) {
     let cell = p.floor();
     let d = p - cell;
     let [x, y] = STEPS_2;
@@ -65,8 +71,13 @@ pub fn gradient2_with_slope<L: Lanes>(p: Vec2<L>, seed: u32) -> (Real<L>, Vec2<L
 /// let further = noise::gradient3(p + [0.001, 0.0, 0.0], 1);
 /// assert!(f32::from((further - value) / 0.001 - slope.x).abs() < 0.01);
 /// ```
-#[inline(always)]
+#[shader(apart)]
 pub fn gradient3_with_slope<L: Lanes>(p: Vec3<L>, seed: u32) -> (Real<L>, Vec3<L>) {
+    value_and_slope3(p, seed)
+}
+
+#[inline(always)]
+fn value_and_slope3<L: Lanes>(p: Vec3<L>, seed: u32) -> (Real<L>, Vec3<L>) {
     let cell = p.floor();
     let d = p - cell;
     let [x, y, z] = STEPS_3;
@@ -161,7 +172,7 @@ fn plane3<L: Lanes>(corner: Uint<L>, d: Vec3<L>) -> (Real<L>, Vec3<L>) {
 }
 
 /// The planes of four corners of one z, mixed.
-#[inline(always)]
+#[shader(apart)]
 fn square3<L: Lanes>(first: Uint<L>, d: Vec3<L>, u: (Real<L>, Real<L>), v: (Real<L>, Real<L>)) -> (Real<L>, Vec3<L>) {
     let [x, y, _] = STEPS_3;
     let (right, below) = (d.x - 1.0, d.y - 1.0);

@@ -7,6 +7,7 @@
 use super::double::{Double, polynomial};
 use super::{Bool, Real, ToLanes};
 use crate::lanes::Lanes;
+use crate::shader;
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 
 /// tan(π/8).
@@ -14,7 +15,7 @@ const TAN_PI_8: f32 = 0.414_213_57;
 
 impl<L: Lanes> Real<L> {
     /// The angle whose sine `self` is, from -π/2 to π/2, to 0.51 ULP; -0 of -0, NaN beyond ±1.
-    #[inline(always)]
+    #[shader(apart)]
     pub fn asin(self) -> Self {
         let (is_upper, angle) = self.arc_of_size();
         let angle = angle * is_upper.select(-2.0, 1.0).double() + is_upper.select(1.0, 0.0).double() * FRAC_PI_2;
@@ -23,7 +24,7 @@ impl<L: Lanes> Real<L> {
     }
 
     /// The angle whose cosine `self` is, from 0 to π, to 0.51 ULP; NaN beyond ±1.
-    #[inline(always)]
+    #[shader(apart)]
     pub fn acos(self) -> Self {
         let (is_upper, angle) = self.arc_of_size();
         let is_negative = self.lt(0.0);
@@ -35,7 +36,7 @@ impl<L: Lanes> Real<L> {
     }
 
     /// The angle whose tangent `self` is, from -π/2 to π/2, to 0.51 ULP; -0 of -0, ±π/2 of ±infinity.
-    #[inline(always)]
+    #[shader(apart)]
     pub fn atan(self) -> Self {
         let size = self.abs();
         let is_steep = size.gt(1.0);
@@ -48,7 +49,7 @@ impl<L: Lanes> Real<L> {
     /// The angle from the x axis to the point (`x`, `self`), from -π to π, to 0.51 ULP: `y.atan2(x)`, as in C and Rust.
     ///
     /// As C99's Annex F has it: of zeros and infinities it is the angle that their signs say, a multiple of an eighth of a turn; NaN where either is NaN.
-    #[inline(always)]
+    #[shader(apart)]
     pub fn atan2(self, x: impl ToLanes<L, Self>) -> Self {
         let lanes = self.lanes();
         let x = x.to_lanes(lanes);

@@ -8,11 +8,12 @@ use super::double::{Double, polynomial};
 use super::exponential::ROUND;
 use super::{Real, ToLanes};
 use crate::lanes::Lanes;
+use crate::shader;
 use core::f32::consts::{LN_2, LOG2_E};
 
 impl<L: Lanes> Real<L> {
     /// The logarithm to base 2, to 0.51 ULP, and exact for powers of two. -infinity of 0 (and -0), NaN below 0.
-    #[inline(always)]
+    #[shader(apart)]
     pub fn log2(self) -> Self {
         let (exponent, x) = self.split();
         self.logarithm_in_range(log2_of_product(exponent, x, x.double()).round()).with_slope(self, LOG2_E / self)
@@ -23,7 +24,7 @@ impl<L: Lanes> Real<L> {
     /// As IEEE 754's powr, but never NaN for `n` = 0: 1 where `n` is 0, whatever `self`; otherwise 0 to a positive power is 0 and to a negative
     /// one infinity, infinity the other way round, and a negative number gives NaN (use [`powi`](Self::powi)). 1 to an infinite power is NaN.
     /// Results below 2^-126 are 0.
-    #[inline(always)]
+    #[shader(apart)]
     pub fn powf(self, n: impl ToLanes<L, Self>) -> Self {
         let n = n.to_lanes(self.lanes());
         // Of -0 the logarithm would else be a positive number, and with a huge `n` infinite.
@@ -45,7 +46,7 @@ impl<L: Lanes> Real<L> {
     }
 
     /// The cube root, to 0.51 ULP; -0 and infinities stay what they are.
-    #[inline(always)]
+    #[shader(apart)]
     pub fn cbrt(self) -> Self {
         /// Puts a third of the exponent where the exponent belongs, so that the guess is within 4 % (Kahan 1991, "Computing a real cube root").
         const OFFSET: i32 = 709_958_130;

@@ -7,6 +7,7 @@ use super::exponential::ROUND;
 use super::power::{exp2_of_double, log2_of_product};
 use super::{Real, Rgba, Vec3};
 use crate::lanes::Lanes;
+use crate::shader;
 
 impl<L: Lanes> Real<L> {
     /// From linear light to the sRGB curve, to 0.51 ULP. 0 stays 0 and 1 stays 1;
@@ -18,7 +19,7 @@ impl<L: Lanes> Real<L> {
     /// assert_eq!(f32::from(middle), 0.735_357);
     /// assert_eq!(f32::from(middle.srgb_to_linear()), 0.5);
     /// ```
-    #[inline(always)]
+    #[shader(apart)]
     pub fn linear_to_srgb(self) -> Self {
         let (exponent, x) = self.split();
         let (shifted, power) = exp2_of_double(log2_of_product(exponent, x, x.double()) * (1.0 / 2.4));
@@ -32,7 +33,7 @@ impl<L: Lanes> Real<L> {
 
     /// From the sRGB curve to linear light, to 0.51 ULP. 0 stays 0 and 1 stays 1; above 1 the curve goes on, and so does its straight
     /// piece below 0.
-    #[inline(always)]
+    #[shader(apart)]
     pub fn srgb_to_linear(self) -> Self {
         // From here on the power is infinite.
         let base = (self.min(1e20).double() + 0.055) / 1.055;

@@ -8,6 +8,7 @@ use super::double::{Double, polynomial};
 use super::exponential::ROUND;
 use super::{Bool, Real, huge_angle};
 use crate::lanes::Lanes;
+use crate::shader;
 use core::f32::consts::FRAC_2_PI;
 
 /// π/2 in two parts: 33 bits, whose products with whole numbers below 2^18 are exact, and 53 more.
@@ -32,7 +33,7 @@ impl<L: Lanes> Real<L> {
     }
 
     /// Sine and cosine of `self` radians, for the price of one.
-    #[inline(always)]
+    #[shader(apart)]
     pub fn sin_cos(self) -> (Self, Self) {
         let (quadrant, x) = self.quadrant();
         let (sin, cos) = sin_cos_of_eighth(x);
@@ -49,7 +50,7 @@ impl<L: Lanes> Real<L> {
 
     /// The tangent of `self` radians, to 0.51 ULP for every angle: -0 of -0, NaN of infinities and NaN. No float is an odd multiple of a quarter
     /// turn, so it is always finite.
-    #[inline(always)]
+    #[shader(apart)]
     pub fn tan(self) -> Self {
         let (quadrant, x) = self.quadrant();
         let (sin, cos) = sin_cos_of_eighth(x);

@@ -1,4 +1,4 @@
-//! A draw with its shader erased: what a pass holds. Inside, everything is compiled for the shader and for each SIMD level.
+//! A draw with its shader erased: what a pass holds. Inside, everything is compiled for the shader, and its fragment stage for SIMD levels.
 
 use super::input::{Input, Walk};
 use super::{DrawState, Indices};
@@ -12,7 +12,7 @@ use crate::shading::{
     __Layout as Layout, Closure, ClosureFragment, ClosureKind, FragmentKind, Interpolation, MAX_CLIP_DISTANCES, Native,
     OutputLayout, Outputs, Shader, StageUses, Varyings, native,
 };
-use crate::wide::{Simd, dispatch_shader};
+use crate::wide::dispatch_shader;
 use fearless_simd::Level;
 use std::borrow::Borrow;
 
@@ -152,11 +152,25 @@ impl<Sh: Shader, G: Input<In = Sh::Vertex>> DrawCall for ShaderDraw<'_, Sh, G> {
     }
 
     fn run_vertices(&self, level: Level, job: VertexJob<'_>) {
-        dispatch_shader!(level, s => run_vertices(s, self.shader, &self.input, job));
+        run_vertices(level, self.shader, &self.input, job);
     }
 
     fn run_fragments(&self, level: Level, batch: &mut PacketBatch) {
-        dispatch_shader!(level, s => batch.run(s, self.shader));
+        self.shader.run_at(level, batch);
+    }
+}
+
+/// A fragment stage at the levels that it is compiled for.
+///
+/// A trait of the shader itself, because the compiler puts a method where the type that it is of was declared: shaders of several modules are compiled at the same time.
+trait AtLevels {
+    fn run_at(&self, level: Level, batch: &mut PacketBatch);
+}
+
+impl<Sh: Shader> AtLevels for Sh {
+    #[inline(never)]
+    fn run_at(&self, level: Level, batch: &mut PacketBatch) {
+        dispatch_shader!(level, s => batch.run(s, self));
     }
 }
 
@@ -231,7 +245,7 @@ where
     }
 
     fn run_vertices(&self, level: Level, job: VertexJob<'_>) {
-        dispatch_shader!(level, s => run_vertices::<_, G, T, _>(s, &VertexClosure(&self.vertex), &self.input, job));
+        run_vertices::<G, T, _>(level, &VertexClosure(&self.vertex), &self.input, job);
     }
 
     fn run_fragments(&self, _: Level, batch: &mut PacketBatch) {
@@ -245,9 +259,8 @@ fn array(v: Vec4) -> [f32; 4] {
 }
 
 /// Sixteen vertices at a time: the user's stage one by one, the projection in the lanes.
-#[inline(always)]
-fn run_vertices<S: Simd, G: Input, V: Varyings<Scalar>, St: VertexStage<G::In, V>>(
-    s: S,
+fn run_vertices<G: Input, V: Varyings<Scalar>, St: VertexStage<G::In, V>>(
+    level: Level,
     stage: &St,
     input: &G,
     job: VertexJob<'_>,
@@ -279,7 +292,7 @@ fn run_vertices<S: Simd, G: Input, V: Varyings<Scalar>, St: VertexStage<G::In, V
             k += 1;
         }
         let mut projected = [ScreenVertex::default(); 16];
-        projection.project(s, &positions, &mut projected);
+        projection.project(level, &positions, &mut projected);
         let mut k = 0;
         while k < count {
             if St::CLIP_DISTANCES > 0 {

@@ -268,7 +268,7 @@ mod tests {
             let mut positions = [case.vertices[0]; 16];
             positions[..3].copy_from_slice(&case.vertices[..3]);
             let mut screen = [ScreenVertex::default(); 16];
-            crate::wide::dispatch!(fearless_simd::Level::fallback(), s => projection.project(s, &positions, &mut screen));
+            projection.project(fearless_simd::Level::fallback(), &positions, &mut screen);
             let screen = [screen[0], screen[1], screen[2]];
             let [a, b, c] = screen.map(ScreenVertex::outcode);
             if (a | b | c) == 0 || a & b & c != 0 {

@@ -366,6 +366,20 @@ impl PacketBatch {
         if more_each > 0 {
             self.reserve_more();
         }
+        let mut k = 0;
+        while k < self.count {
+            // A function of its own: in one with the loop around it, LLVM's time grows with the square of the stage's length.
+            s.vectorize(
+                #[inline(always)]
+                || self.run_packet(s, stage, k),
+            );
+            k += 1;
+        }
+    }
+
+    #[inline(always)]
+    fn run_packet<S: Simd, St: FragmentStage<Packet<S>>>(&mut self, s: S, stage: &St, k: usize) {
+        let more_each = const { OutputLayout::of::<Packet<S>, St::Out>().more() };
         let lanes = BlockLanes::new(s);
         let own = 16 * <St::V as Varyings<Packet<S>>>::LEN;
         let length = if St::POINT_COORD { own + 2 * 16 } else { own };
@@ -393,70 +407,66 @@ impl PacketBatch {
             },
             kind: PhantomData,
         };
-        let mut k = 0;
-        while k < self.count {
-            let packet = &mut self.packets[k];
-            let at = self.aligned + 16 * k * self.rows_each;
-            let rows = &self.rows[at..at + 16 * self.rows_each];
-            let parts = &mut fragment.parts;
-            parts.varyings = St::V::read(Packet(s), rows);
-            if St::DERIVATIVES {
-                parts.dx = St::V::read(Packet(s), &rows[length..]);
-                parts.dy = St::V::read(Packet(s), &rows[2 * length..]);
-            }
-            if St::POINT_COORD {
-                parts.point_coord = Vec2::read(Packet(s), &rows[own..]);
-            }
-            if St::IDS {
-                let [triangles, instances] = self.numbers[k & (BATCH - 1)];
-                let (triangles, instances) = (u32x16::simd_from(s, triangles), u32x16::simd_from(s, instances));
-                let draw = i32x16::splat(s, self.draw.cast_signed());
-                parts.ids = [Uint(triangles.bitcast()), Uint(instances.bitcast()), Uint(draw)];
-            }
-            let ids = u32x16::simd_from(s, packet.ids);
-            let code: i32x16<S> = (ids & ((1 << ORDER_BITS) - 1)).bitcast();
-            let clockwise = code.simd_lt(3) | code.simd_eq(CLIPPED_CLOCKWISE as i32);
-            parts.x = Real(lanes.x + (packet.x as f32 + 0.5));
-            parts.y = Real(lanes.y + (packet.y as f32 + 0.5));
-            if matches!(self.moved[k & (BATCH - 1)], Moved::ToSample | Moved::Gathered) {
-                let [x, y] = self.offsets[k & (BATCH - 1)];
-                let (x, y) = (i32x16::simd_from(s, x).to_float(), i32x16::simd_from(s, y).to_float());
-                parts.x = Real(parts.x.0 + x * (1.0 / SUBPIXELS as f32));
-                parts.y = Real(parts.y.0 + y * (1.0 / SUBPIXELS as f32));
-            }
-            parts.z = Real(i32x16::simd_from(s, packet.depth).bitcast());
-            if St::BARYCENTRICS {
-                let [with, without] = &self.barycentrics[k & (BATCH - 1)];
-                parts.barycentrics =
-                    [Vec3::read(Packet(s), with.as_flattened()), Vec3::read(Packet(s), without.as_flattened())];
-            }
-            if St::WRITES_DEPTH {
-                parts.depth = parts.z;
-            }
-            if St::SAMPLE_INDEX {
-                let index = self.sample_indices[k & (BATCH - 1)];
-                parts.sample_index = Uint(i32x16::splat(s, index.cast_signed()));
-            }
-            if St::SAMPLE_MASK {
-                parts.sample_mask = Uint(u32x16::simd_from(s, self.sample_masks[k & (BATCH - 1)]).bitcast());
-            }
-            if St::WRITES_SAMPLE_MASK {
-                parts.written_mask = Uint(i32x16::splat(s, -1));
-            }
-            parts.front_facing = Bool(if self.front_is_clockwise { clockwise } else { !clockwise });
-            parts.alive = Bool(mask32x16::from_bitmask(s, u64::from(packet.alive)));
-            let more = if more_each > 0 { &mut self.more[k * more_each..(k + 1) * more_each] } else { &mut [] };
-            stage.run(&mut fragment).write(&mut packet.color, more);
-            if St::DISCARDS {
-                packet.alive = fragment.alive().0.to_bitmask() as u32;
-            }
-            if St::WRITES_SAMPLE_MASK {
-                self.sample_masks[k & (BATCH - 1)] = fragment.parts.written_mask.0.bitcast::<u32x16<S>>().into();
-            }
-            if St::WRITES_DEPTH {
-                packet.depth = fragment.parts.depth.0.bitcast::<i32x16<S>>().into();
-            }
-            k += 1;
+        let packet = &mut self.packets[k];
+        let at = self.aligned + 16 * k * self.rows_each;
+        let rows = &self.rows[at..at + 16 * self.rows_each];
+        let parts = &mut fragment.parts;
+        parts.varyings = St::V::read(Packet(s), rows);
+        if St::DERIVATIVES {
+            parts.dx = St::V::read(Packet(s), &rows[length..]);
+            parts.dy = St::V::read(Packet(s), &rows[2 * length..]);
+        }
+        if St::POINT_COORD {
+            parts.point_coord = Vec2::read(Packet(s), &rows[own..]);
+        }
+        if St::IDS {
+            let [triangles, instances] = self.numbers[k & (BATCH - 1)];
+            let (triangles, instances) = (u32x16::simd_from(s, triangles), u32x16::simd_from(s, instances));
+            let draw = i32x16::splat(s, self.draw.cast_signed());
+            parts.ids = [Uint(triangles.bitcast()), Uint(instances.bitcast()), Uint(draw)];
+        }
+        let ids = u32x16::simd_from(s, packet.ids);
+        let code: i32x16<S> = (ids & ((1 << ORDER_BITS) - 1)).bitcast();
+        let clockwise = code.simd_lt(3) | code.simd_eq(CLIPPED_CLOCKWISE as i32);
+        parts.x = Real(lanes.x + (packet.x as f32 + 0.5));
+        parts.y = Real(lanes.y + (packet.y as f32 + 0.5));
+        if matches!(self.moved[k & (BATCH - 1)], Moved::ToSample | Moved::Gathered) {
+            let [x, y] = self.offsets[k & (BATCH - 1)];
+            let (x, y) = (i32x16::simd_from(s, x).to_float(), i32x16::simd_from(s, y).to_float());
+            parts.x = Real(parts.x.0 + x * (1.0 / SUBPIXELS as f32));
+            parts.y = Real(parts.y.0 + y * (1.0 / SUBPIXELS as f32));
+        }
+        parts.z = Real(i32x16::simd_from(s, packet.depth).bitcast());
+        if St::BARYCENTRICS {
+            let [with, without] = &self.barycentrics[k & (BATCH - 1)];
+            parts.barycentrics =
+                [Vec3::read(Packet(s), with.as_flattened()), Vec3::read(Packet(s), without.as_flattened())];
+        }
+        if St::WRITES_DEPTH {
+            parts.depth = parts.z;
+        }
+        if St::SAMPLE_INDEX {
+            let index = self.sample_indices[k & (BATCH - 1)];
+            parts.sample_index = Uint(i32x16::splat(s, index.cast_signed()));
+        }
+        if St::SAMPLE_MASK {
+            parts.sample_mask = Uint(u32x16::simd_from(s, self.sample_masks[k & (BATCH - 1)]).bitcast());
+        }
+        if St::WRITES_SAMPLE_MASK {
+            parts.written_mask = Uint(i32x16::splat(s, -1));
+        }
+        parts.front_facing = Bool(if self.front_is_clockwise { clockwise } else { !clockwise });
+        parts.alive = Bool(mask32x16::from_bitmask(s, u64::from(packet.alive)));
+        let more = if more_each > 0 { &mut self.more[k * more_each..(k + 1) * more_each] } else { &mut [] };
+        stage.run(&mut fragment).write(&mut packet.color, more);
+        if St::DISCARDS {
+            packet.alive = fragment.alive().0.to_bitmask() as u32;
+        }
+        if St::WRITES_SAMPLE_MASK {
+            self.sample_masks[k & (BATCH - 1)] = fragment.parts.written_mask.0.bitcast::<u32x16<S>>().into();
+        }
+        if St::WRITES_DEPTH {
+            packet.depth = fragment.parts.depth.0.bitcast::<i32x16<S>>().into();
         }
     }
 }

@@ -37,20 +37,20 @@ compress! { i32x16 u32x16 }
 operators! { i32x16, 16:
     Add::add = |a, b| a.wrapping_add(b);
     Sub::sub = |a, b| a.wrapping_sub(b);
-    Mul::mul = |a, b| a.wrapping_mul(b);
     BitAnd::bitand = |a, b| a & b;
     BitOr::bitor = |a, b| a | b;
     BitXor::bitxor = |a, b| a ^ b;
-    // By as many bits as the other vector says, lane by lane; below 32.
-    Shl::shl = |a, b| a.wrapping_shl(b as u32);
 }
+operators! { i32x16, 16, S::MULTIPLIES => Mul::mul = |a, b| a.wrapping_mul(b); }
+// By as many bits as the other vector says, lane by lane; below 32.
+operators! { i32x16, 16, S::SHIFTS_EACH => Shl::shl = |a, b| a.wrapping_shl(b as u32); }
 operators! { u32x16, 16:
     Add::add = |a, b| a.wrapping_add(b);
     Sub::sub = |a, b| a.wrapping_sub(b);
-    Mul::mul = |a, b| a.wrapping_mul(b);
     BitAnd::bitand = |a, b| a & b;
     BitOr::bitor = |a, b| a | b;
 }
+operators! { u32x16, 16, S::MULTIPLIES => Mul::mul = |a, b| a.wrapping_mul(b); }
 operators! { i64x8, 8: Sub::sub = |a, b| a.wrapping_sub(b); }
 scalar_operators! { i32x16, i32: Add::add Sub::sub Mul::mul BitAnd::bitand BitOr::bitor BitXor::bitxor }
 scalar_operators! { u32x16, u32: Add::add Sub::sub Mul::mul BitAnd::bitand BitOr::bitor }

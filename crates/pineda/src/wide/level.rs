@@ -8,32 +8,38 @@ pub trait Simd: fearless_simd::Simd {
     const IS_PLAIN: bool;
     /// Whether [`u32x16::pick`](super::u32x16::pick) is one instruction.
     const CAN_PICK: bool;
+    /// Whether there are instructions that multiply 32-bit integers. Without, `fearless_simd` takes vectors apart and puts them together again, lane by lane: a loop is shorter.
+    const MULTIPLIES: bool;
+    /// The same of shifts by as many bits as another vector's lanes say.
+    const SHIFTS_EACH: bool;
 }
 
 macro_rules! levels {
-    ($($(#[$condition:meta])* $token:ty: $is_plain:literal, $can_pick:literal;)+) => {$(
+    ($($(#[$condition:meta])* $token:ty: $is_plain:literal, $can_pick:literal, $multiplies:literal, $shifts_each:literal;)+) => {$(
         $(#[$condition])*
         impl Simd for $token {
             const IS_PLAIN: bool = $is_plain;
             const CAN_PICK: bool = $can_pick;
+            const MULTIPLIES: bool = $multiplies;
+            const SHIFTS_EACH: bool = $shifts_each;
         }
     )+};
 }
 
 levels! {
-    fearless_simd::Fallback: true, false;
+    fearless_simd::Fallback: true, false, false, false;
     #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-    fearless_simd::x86::Sse2: false, false;
+    fearless_simd::x86::Sse2: false, false, false, false;
     #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-    fearless_simd::x86::Sse4_2: false, false;
+    fearless_simd::x86::Sse4_2: false, false, true, false;
     #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-    fearless_simd::x86::Avx2: false, false;
+    fearless_simd::x86::Avx2: false, false, true, true;
     #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-    fearless_simd::x86::Avx512: false, true;
+    fearless_simd::x86::Avx512: false, true, true, true;
     #[cfg(target_arch = "aarch64")]
-    fearless_simd::aarch64::Neon: false, false;
+    fearless_simd::aarch64::Neon: false, false, true, true;
     #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
-    fearless_simd::wasm32::WasmSimd128: false, false;
+    fearless_simd::wasm32::WasmSimd128: false, false, true, false;
 }
 
 /// `fearless_simd::dispatch!` for code that is generic over the [`Simd`] of this module: evaluates the expression, with the level's
@@ -69,7 +75,7 @@ macro_rules! dispatch {
 pub(crate) use dispatch;
 
 /// [`dispatch!`] for what is compiled once for each shader, and takes longest to compile: AVX2 and AVX-512 where there are such, and for all other levels the one that the machine's kind has at least
-/// (SSE2, NEON). Nothing that shaders compute is quicker with SSE4.2, and lanes at the level without vectors are judged by themselves (`lanes/conformance.rs`).
+/// (SSE2, NEON). The lanes of those other levels are judged by themselves (`lanes/conformance.rs`).
 macro_rules! dispatch_shader {
     ($level:expr, $simd:pat => $run:expr) => {
         match $level {

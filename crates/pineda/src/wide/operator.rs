@@ -93,14 +93,20 @@ macro_rules! store_slice {
     )+};
 }
 
-/// Operators between vectors: the trait, its method, and what it does for one lane.
+/// Operators between vectors: the trait, its method, and what it does for one lane. Where not every level with vectors has an instruction: which ones do.
 macro_rules! operators {
-    ($name:ident, $count:literal: $($trait:ident::$method:ident = |$a:ident, $b:ident| $value:expr;)+) => {$(
+    ($name:ident, $count:literal: $($operator:tt)+) => {
+        operators! { $name, $count, !S::IS_PLAIN => $($operator)+ }
+    };
+    ($name:ident, $count:literal, $has_vector:expr =>
+        $($trait:ident::$method:ident = |$a:ident, $b:ident| $value:expr;)+
+    ) => {$(
         impl<S: Simd> core::ops::$trait for $name<S> {
             type Output = Self;
             #[inline(always)]
             fn $method(self, other: Self) -> Self {
                 by_level!(
+                    $has_vector,
                     {
                         let ($a, $b) = (self.lanes(), other.lanes());
                         Self::simd_from(self.token(), each_lane!($count, |$a, $b| $value))

@@ -6,7 +6,10 @@
 /// again at each place where the operation stands.
 macro_rules! by_level {
     ($plain:expr, $vector:expr) => {
-        if S::IS_PLAIN { plain::apart(|| $plain) } else { $vector }
+        by_level!(!S::IS_PLAIN, $plain, $vector)
+    };
+    ($has_vector:expr, $plain:expr, $vector:expr) => {
+        if $has_vector { $vector } else { plain::apart(|| $plain) }
     };
 }
 

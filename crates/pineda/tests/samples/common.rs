@@ -118,3 +118,17 @@ pub(crate) fn channel(random: &mut Random) -> f32 {
         _ => random.unit(),
     }
 }
+
+/// Whether a comparison holds, the new value on its left.
+pub(crate) fn passes<T: PartialOrd>(compare: Compare, new: T, there: T) -> bool {
+    match compare {
+        Compare::Never => false,
+        Compare::Less => new < there,
+        Compare::Equal => new == there,
+        Compare::LessEqual => new <= there,
+        Compare::Greater => new > there,
+        Compare::NotEqual => new != there,
+        Compare::GreaterEqual => new >= there,
+        Compare::Always => true,
+    }
+}

@@ -1,60 +1,18 @@
 //! Depth: formats, the viewport's range, bias, clamping instead of clipping. References are scalar, in f64, on planes that f32 holds exactly.
 
-use crate::common::{HEIGHT, Layer, PIXELS, WIDTH, settings};
+use crate::common::{HEIGHT, Layer, PIXELS, WIDTH, passes, settings};
+use crate::depths::Depths;
 use pineda::*;
 use pineda_oracle::cases::{Random, orders};
 use pineda_oracle::{coverage, snap};
 use pineda_proof::{Drawing, Probe, ProbeVertex};
 
-/// Codes of either unorm format, or f32s.
-#[derive(Clone, Debug, PartialEq)]
-enum Depths {
-    Float(Vec<f32>),
-    Unorm24(Vec<u32>),
-    Unorm16(Vec<u16>),
-}
-
-impl Depths {
-    fn random(random: &mut Random) -> Self {
-        match random.between(0, 2) {
-            0 => Self::Float((0..PIXELS).map(|_| depth(random)).collect()),
-            1 => Self::Unorm24((0..PIXELS).map(|_| random.bits() as u32 & 0xff_ffff).collect()),
-            _ => Self::Unorm16((0..PIXELS).map(|_| random.bits() as u16).collect()),
-        }
-    }
-
-    fn buffer(&mut self) -> DepthBuffer<'_> {
-        match self {
-            Self::Float(depths) => DepthBuffer::D32F(depths),
-            Self::Unorm24(depths) => DepthBuffer::D24(depths),
-            Self::Unorm16(depths) => DepthBuffer::D16(depths),
-        }
-    }
-
-    /// What is compared: a code, or an f32's bits.
-    fn stored(&self, z: f32) -> u32 {
-        let unorm = |steps: f64| (f64::from(z) * steps).round_ties_even() as u32;
-        match self {
-            Self::Float(_) => z.to_bits(),
-            Self::Unorm24(_) => unorm(16_777_215.0),
-            Self::Unorm16(_) => unorm(65_535.0),
-        }
-    }
-
-    fn get(&self, at: usize) -> u32 {
-        match self {
-            Self::Float(depths) => depths[at].to_bits(),
-            Self::Unorm24(depths) => depths[at],
-            Self::Unorm16(depths) => depths[at].into(),
-        }
-    }
-
-    fn set(&mut self, at: usize, stored: u32) {
-        match self {
-            Self::Float(depths) => depths[at] = f32::from_bits(stored),
-            Self::Unorm24(depths) => depths[at] = stored,
-            Self::Unorm16(depths) => depths[at] = stored as u16,
-        }
+/// A buffer of any format, whatever it may hold.
+fn random_depths(random: &mut Random) -> Depths {
+    match random.between(0, 2) {
+        0 => Depths::Float((0..PIXELS).map(|_| depth(random)).collect()),
+        1 => Depths::Unorm24((0..PIXELS).map(|_| random.bits() as u32 & 0xff_ffff).collect()),
+        _ => Depths::Unorm16((0..PIXELS).map(|_| random.bits() as u16).collect()),
     }
 }
 
@@ -63,25 +21,12 @@ fn depth(random: &mut Random) -> f32 {
     if random.one_in(2) { random.between(0, 8) as f32 / 8.0 } else { random.unit() }
 }
 
-fn passes(compare: Compare, new: u32, there: u32) -> bool {
-    match compare {
-        Compare::Never => false,
-        Compare::Less => new < there,
-        Compare::Equal => new == there,
-        Compare::LessEqual => new <= there,
-        Compare::Greater => new > there,
-        Compare::NotEqual => new != there,
-        Compare::GreaterEqual => new >= there,
-        Compare::Always => true,
-    }
-}
-
 /// Every comparison on every format, deferred and in order, after loading and after clearing: a triangle a pixel, flat in depth.
 #[test]
 fn depths_are_compared_as_they_are_stored() {
     for seed in 0..400 {
         let mut random = Random::new(seed);
-        let mut start = Depths::random(&mut random);
+        let mut start = random_depths(&mut random);
         let clear = random.one_in(2).then(|| depth(&mut random));
         let layers: Vec<Layer> = (0..4)
             .map(|_| {
@@ -106,13 +51,13 @@ fn depths_are_compared_as_they_are_stored() {
         let mut wanted_color = vec![[0.0f32; 4]; PIXELS];
         for (at, color) in wanted_color.iter_mut().enumerate() {
             if let Some(z) = clear {
-                start.set(at, start.stored(z));
+                start.set(at, start.format().stored(z));
             }
             for layer in &layers {
                 let state = &layer.state;
                 let Some(Viewport { min_depth, max_depth, .. }) = state.viewport else { continue };
                 let z = layer.depths[at] * (max_depth - min_depth) + min_depth;
-                let z = start.stored(z);
+                let z = start.format().stored(z);
                 let there = start.get(at);
                 if !passes(state.depth.compare, z, there) || (layer.discards && layer.colors[at][3] < 0.25) {
                     continue;

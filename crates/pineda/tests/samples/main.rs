@@ -3,6 +3,7 @@
 mod blending;
 mod common;
 mod depth;
+mod depths;
 mod formats;
 mod layers;
 mod queries;

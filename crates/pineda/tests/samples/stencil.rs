@@ -1,21 +1,8 @@
 //! The stencil test and its operations, against Vulkan 1.4's ("Stencil Test"), one sample after the other.
 
-use crate::common::{HEIGHT, Layer, PIXELS, WIDTH, settings};
+use crate::common::{HEIGHT, Layer, PIXELS, WIDTH, passes, settings};
 use pineda::*;
 use pineda_oracle::cases::Random;
-
-fn passes(compare: Compare, new: f32, there: f32) -> bool {
-    match compare {
-        Compare::Never => false,
-        Compare::Less => new < there,
-        Compare::Equal => new == there,
-        Compare::LessEqual => new <= there,
-        Compare::Greater => new > there,
-        Compare::NotEqual => new != there,
-        Compare::GreaterEqual => new >= there,
-        Compare::Always => true,
-    }
-}
 
 fn operated(operation: StencilOperation, stored: u8, reference: u8) -> u8 {
     match operation {

@@ -1,12 +1,9 @@
 //! Depths that the fragment stage writes, against scalar references: clamped, rounded, compared and stored one after the other.
 
-use crate::common::settings;
+use crate::common::{HEIGHT, PIXELS, WIDTH, passes, settings};
+use crate::depths::{Depths, Format};
 use pineda::*;
 use pineda_oracle::cases::Random;
-
-const WIDTH: u32 = 38;
-const HEIGHT: u32 = 13;
-const PIXELS: usize = (WIDTH * HEIGHT) as usize;
 
 varyings! {
     struct Written {
@@ -68,38 +65,6 @@ struct Layer {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Format {
-    Float,
-    Unorm24,
-    Unorm16,
-}
-
-impl Format {
-    /// What is compared and stored, as a number that orders like it.
-    fn stored(self, z: f32) -> u32 {
-        let code = |steps: f64| (f64::from(z) * steps).round_ties_even() as u32;
-        match self {
-            Self::Float => z.to_bits(),
-            Self::Unorm24 => code(16_777_215.0),
-            Self::Unorm16 => code(65_535.0),
-        }
-    }
-}
-
-fn passes(compare: Compare, new: u32, there: u32) -> bool {
-    match compare {
-        Compare::Never => false,
-        Compare::Less => new < there,
-        Compare::Equal => new == there,
-        Compare::LessEqual => new <= there,
-        Compare::Greater => new > there,
-        Compare::NotEqual => new != there,
-        Compare::GreaterEqual => new >= there,
-        Compare::Always => true,
-    }
-}
-
-#[derive(Clone, Copy, Debug, PartialEq)]
 struct Pixel {
     color: [f32; 4],
     depth: u32,
@@ -124,7 +89,7 @@ impl Pixel {
         let depth_passes = passes(state.depth.compare, z, self.depth);
         let mut all_pass = depth_passes;
         if let Some(StencilState { front, .. }) = state.stencil {
-            let stencil_passes = passes(front.compare, front.reference.into(), self.stencil.into());
+            let stencil_passes = passes(front.compare, front.reference, self.stencil);
             let operation = match (stencil_passes, depth_passes) {
                 (false, _) => front.fail,
                 (true, false) => front.depth_fail,
@@ -199,7 +164,7 @@ fn written_depths_are_clamped_rounded_and_compared_as_they_are_stored() {
     for seed in 0..if cfg!(debug_assertions) { 150 } else { 400 } {
         let mut random = Random::new(seed);
         let layers: Vec<Layer> = (0..random.between(1, 4)).map(|_| random_layer(&mut random)).collect();
-        let format = random.pick(&[Format::Float, Format::Unorm24, Format::Unorm16]);
+        let format = random.pick(&Format::ALL);
         let samples = random.pick(&[Samples::One, Samples::Four]);
         let (clear, count) = (random.pick(&[0.0f32, 0.5, 1.0]), samples.count());
         let mut passed = vec![0; layers.len()];
@@ -226,17 +191,13 @@ fn written_depths_are_clamped_rounded_and_compared_as_they_are_stored() {
             }
             let all = PIXELS * count;
             let (mut color, mut stencil, mut ids) = (vec![[9.0; 4]; all], vec![9; all], vec![0; all]);
-            let (mut floats, mut words, mut halves) = (vec![0.0f32; all], vec![0u32; all], vec![0u16; all]);
+            let mut depths = Depths::zeros(format, all);
             let mut renderer = Renderer::new(settings.clone()).expect("available");
             for counts in [true, false] {
                 let mut target = Target {
                     samples,
                     color: ColorBuffer::Rgba32F(&mut color),
-                    depth: match format {
-                        Format::Float => DepthBuffer::D32F(&mut floats),
-                        Format::Unorm24 => DepthBuffer::D24(&mut words),
-                        Format::Unorm16 => DepthBuffer::D16(&mut halves),
-                    },
+                    depth: depths.buffer(),
                     stencil: Some(&mut stencil),
                     draw_ids: Some(&mut ids),
                     ..Target::new(WIDTH, HEIGHT)
@@ -249,11 +210,7 @@ fn written_depths_are_clamped_rounded_and_compared_as_they_are_stored() {
                     renderer.render(&pass, &mut target).expect("valid");
                 }
                 for at in 0..all {
-                    let depth = match format {
-                        Format::Float => floats[at].to_bits(),
-                        Format::Unorm24 => words[at],
-                        Format::Unorm16 => halves[at].into(),
-                    };
+                    let depth = depths.get(at);
                     let found = Pixel { color: color[at], depth, stencil: stencil[at], draw: ids[at] };
                     let wanted = wanted[at % PIXELS];
                     assert_eq!(
@@ -343,7 +300,7 @@ fn ray_cast_balls_cut_each_other_where_balls_do() {
         // Their squares' borders lie between pixels, so that all samples of a pixel are covered or none.
         let ball = |k: i32| ([place(0, 64), place(0, 64), place(-40, 640) / 10.0], place(3, 20), k as f32);
         let balls: Vec<Ball> = (1..14).map(ball).collect();
-        let format = [Format::Float, Format::Unorm24, Format::Unorm16][seed as usize % 3];
+        let format = Format::ALL[seed as usize % 3];
         let is_reversed = seed / 3 % 2 == 1;
         let samples = [Samples::One, Samples::Four, Samples::Eight][random.between(0, 2) as usize];
         let sampling = random.pick(&[Sampling::Centroid, Sampling::Sample]);
@@ -363,15 +320,11 @@ fn ray_cast_balls_cut_each_other_where_balls_do() {
         let all = (SIZE * SIZE) as usize * samples.count();
         for settings in settings(seed) {
             let mut color = vec![[0.0; 4]; all];
-            let (mut floats, mut words, mut halves) = (vec![0.0f32; all], vec![0u32; all], vec![0u16; all]);
+            let mut depths = Depths::zeros(format, all);
             let mut target = Target {
                 samples,
                 color: ColorBuffer::Rgba32F(&mut color),
-                depth: match format {
-                    Format::Float => DepthBuffer::D32F(&mut floats),
-                    Format::Unorm24 => DepthBuffer::D24(&mut words),
-                    Format::Unorm16 => DepthBuffer::D16(&mut halves),
-                },
+                depth: depths.buffer(),
                 ..Target::new(SIZE, SIZE)
             };
             Renderer::new(settings.clone()).expect("available").render(&pass, &mut target).expect("valid");
@@ -380,11 +333,7 @@ fn ray_cast_balls_cut_each_other_where_balls_do() {
                 let corner = [pixel % SIZE as usize, pixel / SIZE as usize];
                 let offset = if sampling == Sampling::Sample { samples.positions()[sample] } else { [8, 8] };
                 let place = [0, 1].map(|k| corner[k] as f32 + f32::from(offset[k]) / 16.0);
-                let depth = match format {
-                    Format::Float => floats[at].to_bits(),
-                    Format::Unorm24 => words[at],
-                    Format::Unorm16 => halves[at].into(),
-                };
+                let depth = depths.get(at);
                 let wanted = nearest(&balls, place, is_reversed, format);
                 let say = || {
                     format!(
