@@ -43,7 +43,7 @@ fn ball(center: [f32; 3], material: usize) -> Object {
 
 /// Checkers: red and green say roughness and what else those channels say, blue metalness; every other field is a hole.
 fn checkers() -> Arc<Image> {
-    let texel = |k: u32| if (k % 16 / 2 + k / 32) % 2 == 0 { [255, 200, 60, 255] } else { [120, 60, 255, 40] };
+    let texel = |k: u32| if (k % 16 / 2 + k / 32).is_multiple_of(2) { [255, 200, 60, 255] } else { [120, 60, 255, 40] };
     let texels = Texels::Rgba8((0..16 * 16).map(texel).collect());
     Arc::new(Image { name: "".into(), width: 16, height: 16, texels })
 }

@@ -65,9 +65,10 @@ fn openexr(bytes: &[u8]) -> Result<Panorama, String> {
         return Err(format!("it is more than {MOST} pixels wide or high"));
     }
     let empty = |size: Vec2<usize>, _: &_| (size, vec![[0.0; 3]; size.area()]);
-    let set = |(size, pixels): &mut (Vec2<usize>, Vec<[f32; 3]>), at: Vec2<usize>, (r, g, b, _): (f32, f32, f32, f32)| {
-        pixels[at.1 * size.0 + at.0] = [r, g, b];
-    };
+    let set =
+        |(size, pixels): &mut (Vec2<usize>, Vec<[f32; 3]>), at: Vec2<usize>, (r, g, b, _): (f32, f32, f32, f32)| {
+            pixels[at.1 * size.0 + at.0] = [r, g, b];
+        };
     let layers = read().no_deep_data().largest_resolution_level().rgba_channels(empty, set);
     let image = layers.first_valid_layer().all_attributes().from_buffered(Cursor::new(bytes)).map_err(said)?;
     let (Vec2(width, height), pixels) = image.layer_data.channel_data.pixels;

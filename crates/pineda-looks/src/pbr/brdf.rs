@@ -21,7 +21,7 @@ pub(super) struct Shares<L: Lanes> {
 }
 
 /// Light that is reflected once and more often, energy conserved (Fdez-Agüera 2019, "A Multiple-Scattering Microfacet Model for Real-Time Image-based Lighting").
-#[shader]
+#[shader(apart)]
 pub(super) fn shares<L: Lanes>(f0: Vec3<L>, strength: Real<L>, n_dot_v: Real<L>, roughness: Real<L>) -> Shares<L> {
     let (a, b) = reflected(n_dot_v, roughness);
     // At grazing angles smooth surfaces reflect everything (Lagarde's form of Schlick's term).
@@ -42,7 +42,7 @@ pub(super) fn schlick<L: Lanes>(f0: f32, cosine: Real<L>) -> Real<L> {
 }
 
 /// The part of the light from all around that cloth's fibres reflect (a fit of Charlie's distribution, Estevez and Kulla 2017, as in three.js r150 and later).
-#[shader]
+#[shader(apart)]
 pub(super) fn fibres<L: Lanes>(n_dot_v: Real<L>, roughness: Real<L>) -> Real<L> {
     let squared = roughness * roughness;
     let is_smooth = roughness.lt(0.25);
@@ -55,7 +55,7 @@ pub(super) fn fibres<L: Lanes>(n_dot_v: Real<L>, roughness: Real<L>) -> Real<L> 
 /// Head-on reflection of a thin film over a surface (Belcour and Barla 2017, "A Practical Extension to Microfacet Theory for the Modeling of Varying Iridescence", as in the glTF sample viewer).
 ///
 /// `thickness` in nanometres.
-#[shader]
+#[shader(apart)]
 pub(super) fn thin_film<L: Lanes>(cosine: Real<L>, ior: f32, thickness: Real<L>, f0: Vec3<L>) -> Vec3<L> {
     let lanes = cosine.lanes();
     // The film fades away where it gets too thin.
@@ -66,27 +66,22 @@ pub(super) fn thin_film<L: Lanes>(cosine: Real<L>, ior: f32, thickness: Real<L>,
     let r12 = r0 + (1.0 - r0) * (1.0 - cosine).powi(5);
     let t121 = 1.0 - r12;
     let channel = |f0: Real<L>, frequency: f32| {
-        lanes.apart(
-            #[inline(always)]
-            || {
-                // The index of refraction that the base's reflectance says.
-                let root = f0.clamp(0.0, 0.9999).sqrt();
-                let base = (1.0 + root) / (1.0 - root);
-                let r1 = ((base - ior) / (base + ior)).squared();
-                let r23 = r1 + (1.0 - r1) * (1.0 - inside).powi(5);
-                // What is reflected at the denser side has its phase turned.
-                let turned = base.lt(ior).select(Real::new(lanes, 0.5), 0.0) + 0.5;
-                let turns = 2.0 * ior * thickness * inside * frequency + turned;
-                let both = (r12 * r23).clamp(1e-5, 0.9999);
-                let root = both.sqrt();
-                let series = t121 * t121 * r23 / (1.0 - both);
-                let first = (turns * std::f32::consts::TAU).cos();
-                let second = (turns * (2.0 * std::f32::consts::TAU)).cos();
-                // Two terms of the series; a colour's band is wide, so that later ones cancel.
-                let fringes = root * first * 1.4 + both * second * 0.6;
-                (r12 + series + (series - t121) * fringes).max(0.0)
-            },
-        )
+        // The index of refraction that the base's reflectance says.
+        let root = f0.clamp(0.0, 0.9999).sqrt();
+        let base = (1.0 + root) / (1.0 - root);
+        let r1 = ((base - ior) / (base + ior)).squared();
+        let r23 = r1 + (1.0 - r1) * (1.0 - inside).powi(5);
+        // What is reflected at the denser side has its phase turned.
+        let turned = base.lt(ior).select(Real::new(lanes, 0.5), 0.0) + 0.5;
+        let turns = 2.0 * ior * thickness * inside * frequency + turned;
+        let both = (r12 * r23).clamp(1e-5, 0.9999);
+        let root = both.sqrt();
+        let series = t121 * t121 * r23 / (1.0 - both);
+        let first = (turns * std::f32::consts::TAU).cos();
+        let second = (turns * (2.0 * std::f32::consts::TAU)).cos();
+        // Two terms of the series; a colour's band is wide, so that later ones cancel.
+        let fringes = root * first * 1.4 + both * second * 0.6;
+        (r12 + series + (series - t121) * fringes).max(0.0)
     };
     // One over the middle wavelengths of red, green and blue, in nanometres.
     Vec3::new(channel(f0.x, 1.0 / 611.0), channel(f0.y, 1.0 / 549.0), channel(f0.z, 1.0 / 464.0))

@@ -80,7 +80,7 @@ impl Environment {
     }
 
     /// Irradiance over pi: what a white, matt surface looks like.
-    #[inline(always)]
+    #[shader(apart(normal))]
     pub(super) fn scattered<L: Lanes>(&self, normal: Vec3<L>) -> Vec3<L> {
         let Vec3 { x, y, z } = normal;
         let terms = [y, z, x, x * y, y * z, 3.0 * z * z - 1.0, x * z, x * x - y * y];
@@ -154,7 +154,7 @@ pub(super) struct Prefilter<'a> {
 }
 
 impl Prefilter<'_> {
-    #[inline(always)]
+    #[shader(apart(normal))]
     pub(super) fn color<L: Lanes>(&self, normal: Vec3<L>) -> Rgba<L> {
         let normal = normal.normalize();
         let (tangent, bitangent) = frame(normal);
@@ -185,7 +185,7 @@ pub(super) struct Panorama {
 }
 
 impl Panorama {
-    #[inline(always)]
+    #[shader(apart(direction))]
     pub(super) fn color<L: Lanes>(&self, direction: Vec3<L>) -> Rgba<L> {
         let Vec3 { x, y, z } = direction.normalize();
         let u = x.atan2(-z) * (0.5 * FRAC_1_PI) + 0.5;

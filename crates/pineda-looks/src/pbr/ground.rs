@@ -7,7 +7,7 @@ use super::shadow::{self, DISC, Shadow};
 use crate::stage::Stage;
 use pineda::{
     ColorBuffer, Compare, DepthBias, DepthState, DrawState, Error, Lanes, Mat4, R32F, Real, Renderer, Rgba, Sampler,
-    Target, Texture2d, Vec2, Vec3, Wrap,
+    Target, Texture2d, Vec2, Vec3, Wrap, shader,
 };
 
 /// Texels of both maps, across and down.
@@ -33,7 +33,7 @@ pub(super) struct Darkness<'a> {
 }
 
 impl Darkness<'_> {
-    #[inline(always)]
+    #[shader(apart(pixel))]
     pub(super) fn color<L: Lanes>(&self, pixel: Vec2<L>) -> Rgba<L> {
         let at = pixel * (1.0 / SIZE as f32);
         let sampler = Sampler { wrap: [Wrap::Border; 3], border: [1.0; 4], ..Sampler::BILINEAR };
@@ -54,7 +54,7 @@ impl Darkness<'_> {
             // Softer where it is farther from what casts it, which is where it is farther from the middle.
             let soft = away.length().smoothstep(0.15, 0.8);
             let lit = shadow.lit_within(place, 0.012).mix(shadow.lit_within(place, 0.06), soft);
-            open = open * (1.0 - 0.42 * (1.0 - lit));
+            open *= 1.0 - 0.42 * (1.0 - lit);
         }
         let fade = 1.0 - away.length().smoothstep(0.55, 1.0);
         Rgba::gray((1.0 - open) * fade)
@@ -68,7 +68,7 @@ pub(super) struct Cast<'a> {
 }
 
 impl Cast<'_> {
-    #[inline(always)]
+    #[shader(apart(place))]
     pub(super) fn color<L: Lanes>(&self, place: Vec2<L>) -> Rgba<L> {
         let sampler = Sampler { wrap: [Wrap::Clamp; 3], ..Sampler::BILINEAR };
         let darkness = self.ground.map.sample_level(&sampler, place, 0.0).r;
@@ -129,7 +129,7 @@ impl Ground {
         DrawState {
             blend: pineda::Blend::PREMULTIPLIED,
             // It reaches beyond the camera's far plane, where depths are 1 as they are where nothing is.
-            depth: DepthState { write: false, compare: Compare::LessEqual, ..DepthState::default() },
+            depth: DepthState { write: false, compare: Compare::LessEqual },
             depth_clamp: true,
             ..DrawState::default()
         }

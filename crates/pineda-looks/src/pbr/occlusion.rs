@@ -82,7 +82,7 @@ pub(super) struct LookAround<'a> {
 }
 
 impl LookAround<'_> {
-    #[inline(always)]
+    #[shader(apart(pixel))]
     pub(super) fn color<L: Lanes>(&self, pixel: Vec2<L>) -> Rgba<L> {
         let Vec2 { x, y } = pixel;
         let (column, row) = (x.floor().to_int(), y.floor().to_int());
@@ -123,7 +123,7 @@ pub(super) struct Smooth<'a> {
 }
 
 impl Smooth<'_> {
-    #[inline(always)]
+    #[shader(apart(pixel))]
     pub(super) fn color<L: Lanes>(&self, pixel: Vec2<L>) -> Rgba<L> {
         let (column, row) = (pixel.x.floor().to_int(), pixel.y.floor().to_int());
         let here = self.map.fetch(column, row, 0);
@@ -176,7 +176,7 @@ impl Occlusion {
     }
 
     /// How open a pixel's surface is, 0 to 1: the mean of the four around in the map, as far as they are at the surface's own distance. `from_eye` is where the surface is.
-    #[inline(always)]
+    #[shader(apart(pixel))]
     pub(super) fn open<L: Lanes>(&self, pixel: Vec2<L>, from_eye: Vec3<L>) -> Real<L> {
         let distance = from_eye.dot(self.forward);
         let at = pixel * 0.5 - 0.5;

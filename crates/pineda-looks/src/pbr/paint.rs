@@ -13,6 +13,7 @@ use pineda::{
 
 /// What is computed at each place.
 #[derive(Debug)]
+#[expect(clippy::large_enum_variant, reason = "there is one at a time, on the stack")]
 pub(super) enum Paint<'a> {
     /// What the studio looks like in a direction.
     Studio(Studio),
@@ -44,18 +45,15 @@ impl Shader for Paint<'_> {
 
     fn fragment<L: Lanes>(&self, f: &mut Fragment<L, Self>) -> Rgba<L> {
         let (varying, pixel) = (f.varyings(), Vec2::new(f.x(), f.y()));
-        f.lanes().apart(
-            #[inline(always)]
-            || match self {
-                Self::Studio(studio) => studio.color(varying),
-                Self::Panorama(panorama) => panorama.color(varying),
-                Self::Prefilter(prefilter) => prefilter.color(varying),
-                Self::LookAround(look_around) => look_around.color(pixel),
-                Self::Smooth(smooth) => smooth.color(pixel),
-                Self::Darkness(darkness) => darkness.color(pixel),
-                Self::Cast(cast) => cast.color(varying.xy()),
-            },
-        )
+        match self {
+            Self::Studio(studio) => studio.color(varying),
+            Self::Panorama(panorama) => panorama.color(varying),
+            Self::Prefilter(prefilter) => prefilter.color(varying),
+            Self::LookAround(look_around) => look_around.color(pixel),
+            Self::Smooth(smooth) => smooth.color(pixel),
+            Self::Darkness(darkness) => darkness.color(pixel),
+            Self::Cast(cast) => cast.color(varying.xy()),
+        }
     }
 }
 

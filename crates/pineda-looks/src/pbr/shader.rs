@@ -137,7 +137,7 @@ struct Place<L: Lanes> {
 }
 
 /// A map's numbers, or ones.
-#[inline(always)]
+#[shader(apart(place.pixel))]
 fn numbers<L: Lanes>(map: &Option<Map<'_>>, place: &Place<L>) -> Rgba<L> {
     match map {
         Some(map) => map.sample(place.uvs),
@@ -170,7 +170,7 @@ impl Surface<'_, '_> {
     }
 
     /// Tangent, bitangent and normal, turned to the eye. Without tangents of its own, the surface's first coordinate says where the tangent lies, by how it changes from pixel to pixel.
-    #[inline(always)]
+    #[shader(apart(seen.normal))]
     fn frame<L: Lanes>(&self, seen: &Seen<L>, place: &Place<L>) -> [Vec3<L>; 3] {
         let normal = seen.normal.normalize();
         let side = place.is_front.select(Real::new(normal.lanes(), 1.0), -1.0);
@@ -196,7 +196,7 @@ impl Surface<'_, '_> {
     }
 
     /// A normal map's normal.
-    #[inline(always)]
+    #[shader(apart(normal))]
     fn mapped_normal<L: Lanes>(
         &self,
         [tangent, bitangent, normal]: [Vec3<L>; 3],
@@ -217,16 +217,8 @@ impl Surface<'_, '_> {
     }
 
     /// What reaches the eye, its alpha multiplied in: compiled once for all shaders that it is part of.
-    #[inline(always)]
+    #[shader(apart(place.pixel))]
     fn color<L: Lanes>(&self, seen: &Seen<L>, place: &Place<L>) -> Rgba<L> {
-        place.pixel.lanes().apart(
-            #[inline(always)]
-            || self.reflected(seen, place),
-        )
-    }
-
-    #[inline(always)]
-    fn reflected<L: Lanes>(&self, seen: &Seen<L>, place: &Place<L>) -> Rgba<L> {
         let (light, coating) = (self.light, self.coating);
         let base = self.base_color(seen, place);
         let lanes = base.a.lanes();

@@ -108,7 +108,7 @@ impl Shadow {
     }
 
     /// The same with another radius of the filter, for a place that casts no shadow itself.
-    #[inline(always)]
+    #[shader(apart(position))]
     pub(super) fn lit_within<L: Lanes>(&self, position: Vec3<L>, softness: f32) -> Real<L> {
         // Beyond the map everything is lit.
         let sampler = Sampler { wrap: [Wrap::Border; 3], border: [1.0; 4], ..Sampler::SHADOW };

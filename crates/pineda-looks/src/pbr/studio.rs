@@ -53,7 +53,7 @@ pub(super) struct Studio {
 }
 
 impl Studio {
-    #[inline(always)]
+    #[shader(apart(direction))]
     pub(super) fn color<L: Lanes>(&self, direction: Vec3<L>) -> Rgba<L> {
         let direction = direction.normalize();
         let up = direction.y.max(0.0);

@@ -16,7 +16,7 @@ pub enum ToneMapping {
 
 impl ToneMapping {
     /// Linear light, 0 to 1 in each channel.
-    #[inline(always)]
+    #[shader(apart(light))]
     pub(crate) fn apply<L: Lanes>(self, light: Vec3<L>) -> Vec3<L> {
         match self {
             Self::Neutral => neutral(light),

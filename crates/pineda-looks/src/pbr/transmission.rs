@@ -2,7 +2,7 @@
 //! _volume's "screen space" way: one surface behind another that lets light through is not seen through it).
 
 use super::shader::Light;
-use pineda::{Error, Lanes, Mat4, Real, Rgba16F, Sampler, Texture2d, Vec3, Wrap};
+use pineda::{Error, Lanes, Mat4, Real, Rgba16F, Sampler, Texture2d, Vec3, Wrap, shader};
 
 /// The opaque part of a picture, in linear light.
 #[derive(Debug)]
@@ -21,7 +21,7 @@ impl Behind {
 
     /// What comes through a surface at `position`, at the end of a body as thick as `thickness`.
     #[expect(clippy::too_many_arguments, reason = "a ray and what it goes through")]
-    #[inline(always)]
+    #[shader(apart(position))]
     pub(super) fn seen<L: Lanes>(
         &self,
         light: &Light<'_>,
