@@ -61,7 +61,7 @@ impl Shading<'_> {
     }
 
     /// Interpolates the varyings of the batch's packets; with `SINGLE`, each packet is known to show one triangle.
-    #[inline(always)]
+    #[inline(never)]
     pub(super) fn interpolate<S: Simd, const SINGLE: bool>(
         &mut self,
         s: S,
@@ -71,7 +71,10 @@ impl Shading<'_> {
     ) {
         let call = self.call;
         let position = |vertex: usize| call.position(vertex);
-        interpolate::<S, SINGLE>(s, self.run, &position, layout, self.batch, distinct, last, self.cache);
+        s.vectorize(
+            #[inline(always)]
+            || interpolate::<S, SINGLE>(s, self.run, &position, layout, self.batch, distinct, last, self.cache),
+        );
     }
 
     /// Runs the fragment stage over the batch.
@@ -242,11 +245,16 @@ pub(super) fn contains(batch: &PacketBatch, block: u32) -> bool {
 }
 
 /// Brings the colours of a batch of ordered packets into the tile. `is_over` says that [`merge_over`] does all that is to be done.
-#[inline(always)]
+#[inline(never)]
 fn merge<S: Simd>(s: S, shading: &mut Shading<'_>, is_over: bool) {
-    if is_over {
-        return merge_over(s, shading);
-    }
+    s.vectorize(
+        #[inline(always)]
+        || if is_over { merge_over(s, shading) } else { merge_any(s, shading) },
+    );
+}
+
+#[inline(always)]
+fn merge_any<S: Simd>(s: S, shading: &mut Shading<'_>) {
     let (state, uses) = (shading.call.state(), shading.uses);
     // Without a stencil test, what is not discarded has passed, unless its depth is another now. (To test the rest of what passed once more changes nothing.)
     let is_late = uses.leaves_more() || (uses.discards && state.stencil.is_some());

@@ -16,6 +16,7 @@ use super::sampler::{Filter, MipFilter, Sampler, Wrap};
 use crate::lanes::Lanes;
 use crate::math::{Bool, Int, Real};
 use crate::pass::Compare;
+use crate::shader;
 
 /// Where a texture is looked up.
 #[derive(Clone, Copy)]
@@ -155,7 +156,7 @@ pub(super) struct Lookup<'a, 'i, F: Filterable> {
 
 impl<F: Filterable> Lookup<'_, '_, F> {
     /// Channels, not scaled, at a level of detail that is in the sampler's range.
-    #[inline(always)]
+    #[shader(apart(lod))]
     pub(super) fn at_lod<L: Lanes, K: Kind, M: Mapping<L>>(
         &self,
         place: Place<L>,
@@ -224,7 +225,7 @@ impl<F: Filterable> Lookup<'_, '_, F> {
         out
     }
 
-    #[inline(always)]
+    #[shader(apart(level.first))]
     fn nearest<L: Lanes, K: Kind, M: Mapping<L>>(
         &self,
         lanes: L,
