@@ -10,11 +10,12 @@ mod names;
 mod plan;
 mod progress;
 mod report;
+mod upright;
 
 pub(crate) use draw::depth_code;
 pub(crate) use load::{failure, model};
 
-use crate::arguments::{How, RenderArguments};
+use crate::arguments::{How, RenderArguments, Shading};
 use crate::failure::Failure;
 use crate::output::{self, Output};
 use crate::picture::Picture;
@@ -122,7 +123,11 @@ fn draw(
     };
     let Loaded { mut scene, notes } = loaded;
     let aspect = f64::from(plan.size.width) / f64::from(plan.size.height);
-    let framing = camera::framing(&arguments.camera, &scene, aspect).map_err(place)?;
+    let mut framing = camera::framing(&arguments.camera, &scene, aspect).map_err(place)?;
+    let up = arguments.camera.up.0;
+    if plan.shading == Shading::Pbr && !upright::is_upright(up) {
+        upright::turn(&mut scene, &mut framing, up);
+    }
     let stage = Stage::new(&mut scene, &framing, aspect, plan.crease)
         .ok_or_else(|| Failure::data("the model has nothing to draw"))
         .map_err(place)?;

@@ -116,7 +116,8 @@ pub fn draw(
     };
     let is_solid: Vec<bool> = stage.props.iter().map(|prop| part(prop) == Part::Opaque).collect();
 
-    let axes = axes(stage);
+    // The studio turns with the camera; a panorama is of a place.
+    let axes = if environment.has_key { axes(stage) } else { [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]] };
     let key = if environment.has_key && settings.shadows {
         let toward = [0, 1, 2].map(|k| (0..3).map(|axis| studio::KEY[axis] * axes[axis][k]).sum());
         // Glass casts a shadow, too.
