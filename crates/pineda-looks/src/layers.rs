@@ -60,7 +60,11 @@ impl Stage {
         for (number, prop) in blended {
             let depth = DepthState { write: false, ..DepthState::default() };
             let state = DrawState { depth, blend: Blend::ALPHA, ..prop.state() };
-            add_blended(&mut layers, number, prop, state);
+            for (mesh, topology) in prop.meshes() {
+                for state in sides(DrawState { topology, ..state }) {
+                    layers.push(Layer { number, prop, mesh, state, is_cut: false });
+                }
+            }
         }
         layers
     }
@@ -72,12 +76,9 @@ fn add<'a>(layers: &mut Vec<Layer<'a>>, number: usize, prop: &'a Prop, state: Dr
     }
 }
 
-fn add_blended<'a>(layers: &mut Vec<Layer<'a>>, number: usize, prop: &'a Prop, state: DrawState) {
-    for (mesh, topology) in prop.meshes() {
-        let has_two_sides = topology == PrimitiveTopology::TriangleList && state.cull == Cull::None;
-        let culls: &[Cull] = if has_two_sides { &[Cull::Front, Cull::Back] } else { &[state.cull] };
-        for &cull in culls {
-            layers.push(Layer { number, prop, mesh, state: DrawState { topology, cull, ..state }, is_cut: false });
-        }
-    }
+/// The draws that blend a mesh: of what has two sides, the back faces before the front faces.
+pub(crate) fn sides(state: DrawState) -> impl Iterator<Item = DrawState> {
+    let has_two_sides = state.topology == PrimitiveTopology::TriangleList && state.cull == Cull::None;
+    let culls = if has_two_sides { [Some(Cull::Front), Some(Cull::Back)] } else { [Some(state.cull), None] };
+    culls.into_iter().flatten().map(move |cull| DrawState { cull, ..state })
 }

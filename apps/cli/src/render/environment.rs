@@ -5,14 +5,16 @@ use crate::failure::Failure;
 use exr::meta::MetaData;
 use exr::prelude::{ReadChannels, ReadLayers, Vec2, read};
 use pineda_looks::pbr::Environment;
-use std::io::Cursor;
+use std::fs::File;
+use std::io::{Cursor, Read};
 use std::path::Path;
 use zune_core::bytestream::ZCursor;
-use zune_core::options::DecoderOptions;
 use zune_hdr::HdrDecoder;
 
-/// Panoramas have at most so many pixels a side: far more than what is left of them when they are filtered.
-const MOST: usize = 16384;
+/// Panoramas have at most so many pixels, 8192 x 4096: far more than what is left of them when they are filtered.
+const MOST_PIXELS: usize = 1 << 25;
+/// And their files at most so many bytes.
+const MOST_BYTES: u64 = 1 << 30;
 
 /// The studio, or the panorama that was asked for; none for looks that have no use for it. All models share it.
 pub(crate) fn of(arguments: &RenderArguments, how: &How) -> Result<Option<Environment>, Failure> {
@@ -44,26 +46,37 @@ fn panorama(path: &Path) -> Result<Panorama, Failure> {
             .at(path.display())
             .help("it must be a .hdr (Radiance) or .exr (OpenEXR) panorama, twice as wide as high")
     };
-    let bytes = std::fs::read(path).map_err(|error| wrong(error.to_string()))?;
+    let mut bytes = Vec::new();
+    let read = File::open(path).and_then(|file| file.take(MOST_BYTES + 1).read_to_end(&mut bytes));
+    read.map_err(|error| wrong(error.to_string()))?;
+    if bytes.len() as u64 > MOST_BYTES {
+        return Err(wrong(format!("it is larger than {MOST_BYTES} bytes")));
+    }
     let read = if bytes.starts_with(b"#?") { radiance(&bytes) } else { openexr(&bytes) };
     read.map_err(wrong)
 }
 
+/// What comes first in a file says how large all is.
+fn check_size(width: usize, height: usize) -> Result<(), String> {
+    match width.saturating_mul(height) <= MOST_PIXELS {
+        true => Ok(()),
+        false => Err(format!("it has {width} x {height} pixels, and more than {MOST_PIXELS} are not read")),
+    }
+}
+
 fn radiance(bytes: &[u8]) -> Result<Panorama, String> {
-    let limits = DecoderOptions::default().set_max_width(MOST).set_max_height(MOST);
-    let mut decoder = HdrDecoder::new_with_options(ZCursor::new(bytes), limits);
-    let pixels = decoder.decode().map_err(|error| error.to_string())?;
+    let mut decoder = HdrDecoder::new(ZCursor::new(bytes));
+    decoder.decode_headers().map_err(|error| error.to_string())?;
     let (width, height) = decoder.dimensions().ok_or("it has no size")?;
+    check_size(width, height)?;
+    let pixels = decoder.decode().map_err(|error| error.to_string())?;
     Ok((width as u32, height as u32, pixels.as_chunks().0.to_vec()))
 }
 
 fn openexr(bytes: &[u8]) -> Result<Panorama, String> {
     let said = |error: exr::error::Error| error.to_string();
-    // What comes first says how large all is.
     let headers = MetaData::read_from_buffered(bytes, false).map_err(said)?.headers;
-    if headers.iter().any(|header| header.layer_size.0.max(header.layer_size.1) > MOST) {
-        return Err(format!("it is more than {MOST} pixels wide or high"));
-    }
+    headers.iter().try_for_each(|header| check_size(header.layer_size.0, header.layer_size.1))?;
     let empty = |size: Vec2<usize>, _: &_| (size, vec![[0.0; 3]; size.area()]);
     let set =
         |(size, pixels): &mut (Vec2<usize>, Vec<[f32; 3]>), at: Vec2<usize>, (r, g, b, _): (f32, f32, f32, f32)| {

@@ -124,9 +124,8 @@ fn draw(
     let Loaded { mut scene, notes } = loaded;
     let aspect = f64::from(plan.size.width) / f64::from(plan.size.height);
     let mut framing = camera::framing(&arguments.camera, &scene, aspect).map_err(place)?;
-    let up = arguments.camera.up.0;
-    if plan.shading == Shading::Pbr && !upright::is_upright(up) {
-        upright::turn(&mut scene, &mut framing, up);
+    if plan.shading == Shading::Pbr {
+        upright::turn(&mut scene, &mut framing, arguments.camera.up.0);
     }
     let stage = Stage::new(&mut scene, &framing, aspect, plan.crease)
         .ok_or_else(|| Failure::data("the model has nothing to draw"))

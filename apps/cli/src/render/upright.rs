@@ -4,6 +4,9 @@ use pineda_scene::{Framing, Scene};
 
 /// Turns a scene and the camera before it by the smallest rotation that leads from `up` to +y: the picture is the same.
 pub(crate) fn turn(scene: &mut Scene, framing: &mut Framing, up: [f64; 3]) {
+    if up[0] == 0.0 && up[1] > 0.0 && up[2] == 0.0 {
+        return;
+    }
     let rows = rotation(up);
     let turned = |v: [f64; 3]| rows.map(|row| (0..3).map(|axis| row[axis] * v[axis]).sum::<f64>());
     let turned32 = |v: [f32; 3]| turned(v.map(f64::from)).map(|x| x as f32);
@@ -29,11 +32,6 @@ fn rotation(up: [f64; 3]) -> [[f64; 3]; 3] {
     }
     let h = 1.0 / (1.0 + y);
     [[1.0 - h * x * x, -x, -h * x * z], [x, y, z], [-h * x * z, -z, 1.0 - h * z * z]]
-}
-
-/// Whether there is nothing to turn.
-pub(crate) fn is_upright(up: [f64; 3]) -> bool {
-    up[0] == 0.0 && up[2] == 0.0 && up[1] > 0.0
 }
 
 #[cfg(test)]

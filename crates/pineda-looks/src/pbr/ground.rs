@@ -78,13 +78,8 @@ impl Cast<'_> {
 }
 
 impl Ground {
-    /// `casts` says which props cast a shadow. `None` where the eye is not above the ground.
-    pub(super) fn new(
-        stage: &Stage,
-        shadow: Option<&Shadow>,
-        casts: &[bool],
-        renderer: &mut Renderer,
-    ) -> Result<Option<Self>, Error> {
+    /// `None` where the eye is not above the ground.
+    pub(super) fn new(stage: &Stage, shadow: Option<&Shadow>, renderer: &mut Renderer) -> Result<Option<Self>, Error> {
         let [low, high] = stage.bounds;
         let size = [0, 1, 2].map(|axis| (high[axis] - low[axis]).max(1e-6));
         if stage.camera.eye[1] <= low[1] {
@@ -97,7 +92,7 @@ impl Ground {
         let [x, y, z] = center;
         let from_below = Mat4::orthographic(-reach, reach, -reach, reach, 0.0, high)
             * Mat4::look_at(center, [x, y + 1.0, z], [0.0, 0.0, -1.0]);
-        let mut heights = shadow::depths(stage, from_below, casts, DepthBias::NONE, SIZE, renderer)?;
+        let mut heights = shadow::depths(stage.props.iter(), from_below, DepthBias::NONE, SIZE, renderer)?;
         // Seen from below, x runs to the left.
         for row in heights.chunks_exact_mut(SIZE as usize) {
             row.reverse();

@@ -29,11 +29,14 @@ pub use environment::Environment;
 pub use tone::ToneMapping;
 
 use crate::gallery::Gallery;
+use crate::layers::sides;
 use crate::stage::{Prop, Stage};
 use ground::Ground;
 use material::Coating;
 use occlusion::Occlusion;
-use pineda::{Blend, ColorBuffer, DepthState, DrawState, Error, Indices, Mesh, Pass, Renderer, Samples, Target};
+use pineda::{
+    Blend, ColorBuffer, DepthState, DrawState, Error, Indices, MAX_SIZE, Mesh, Pass, Renderer, Samples, Target,
+};
 use pineda_scene::{AlphaMode, Scene};
 use shader::{Light, Mapped, Masked, Plain, Surface};
 use shadow::Shadow;
@@ -103,6 +106,9 @@ pub fn draw(
     [width, height]: [u32; 2],
     renderer: &mut Renderer,
 ) -> Result<Vec<[f32; 4]>, Error> {
+    if width > MAX_SIZE || height > MAX_SIZE {
+        return Err(Error::TargetSize { width, height });
+    }
     let mut gallery = Gallery::new(scene);
     let coatings: Vec<Coating<'_>> = scene
         .materials
@@ -114,24 +120,22 @@ pub fn draw(
         Coating { transmission: Some(glass), .. } if glass.factor > 0.0 => Part::Clear,
         _ => Part::Opaque,
     };
-    let is_solid: Vec<bool> = stage.props.iter().map(|prop| part(prop) == Part::Opaque).collect();
 
     // The studio turns with the camera; a panorama is of a place.
     let axes = if environment.has_key { axes(stage) } else { [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]] };
     let key = if environment.has_key && settings.shadows {
         let toward = [0, 1, 2].map(|k| (0..3).map(|axis| studio::KEY[axis] * axes[axis][k]).sum());
         // Glass casts a shadow, too.
-        let casts: Vec<bool> = stage.props.iter().map(|prop| part(prop) != Part::Blended).collect();
-        Some(Shadow::new(stage, toward, &casts, renderer)?)
+        Some(Shadow::new(stage, toward, |prop| part(prop) != Part::Blended, renderer)?)
     } else {
         None
     };
     let occlusion = match settings.occlusion {
-        true => Some(Occlusion::new(stage, [width, height], &is_solid, renderer)?),
+        true => Some(Occlusion::new(stage, [width, height], |prop| part(prop) == Part::Opaque, renderer)?),
         false => None,
     };
     let ground = match settings.ground {
-        true => Ground::new(stage, key.as_ref(), &vec![true; stage.props.len()], renderer)?,
+        true => Ground::new(stage, key.as_ref(), renderer)?,
         false => None,
     };
     let light = Light {
@@ -204,16 +208,18 @@ impl<'a, 's> Picture<'a, 's> {
         }
         for (prop, skin) in props {
             for (mesh, topology) in prop.meshes() {
-                let mut state = DrawState { topology, ..prop.state() };
+                let mut states = vec![DrawState { topology, ..prop.state() }];
                 if part == Part::Blended {
-                    state.blend = Blend::PREMULTIPLIED;
-                    state.depth = DepthState { write: false, ..state.depth };
+                    let depth = DepthState { write: false, ..DepthState::default() };
+                    states = sides(DrawState { depth, blend: Blend::PREMULTIPLIED, ..states[0] }).collect();
                 }
-                match skin {
-                    Skin::Plain(shader) => pass.draw(shader, mesh, state),
-                    Skin::Mapped(shader) => pass.draw(shader, mesh, state),
-                    Skin::Masked(shader) => pass.draw(shader, mesh, state),
-                };
+                for state in states {
+                    match skin {
+                        Skin::Plain(shader) => pass.draw(shader, mesh, state),
+                        Skin::Mapped(shader) => pass.draw(shader, mesh, state),
+                        Skin::Masked(shader) => pass.draw(shader, mesh, state),
+                    };
+                }
             }
         }
     }

@@ -5,7 +5,7 @@
 
 use super::paint::{self, Paint};
 use crate::Vertex;
-use crate::stage::Stage;
+use crate::stage::{Prop, Stage};
 use pineda::{
     ColorBuffer, Error, Fragment, Int, Lanes, Mat4, Pass, Real, Renderer, Rgba, Rgba32F, Shader, Target, Texture2d,
     Vec2, Vec3, Vec4, outputs, shader, varyings,
@@ -140,7 +140,12 @@ impl Smooth<'_> {
 
 impl Occlusion {
     /// `size` is the picture's. `hides` says which props hide anything.
-    pub(super) fn new(stage: &Stage, size: [u32; 2], hides: &[bool], renderer: &mut Renderer) -> Result<Self, Error> {
+    pub(super) fn new(
+        stage: &Stage,
+        size: [u32; 2],
+        hides: impl Fn(&Prop) -> bool,
+        renderer: &mut Renderer,
+    ) -> Result<Self, Error> {
         let camera = stage.camera;
         let [width, height] = size.map(|side| side.div_ceil(2));
         let length = camera.eye.iter().map(|x| x * x).sum::<f32>().sqrt();
@@ -148,7 +153,7 @@ impl Occlusion {
         let survey = Survey { clip_from_world: camera.clip_from_world, eye: camera.eye };
         let mut pass = Pass::new();
         pass.clear_color = Some([0.0; 4]);
-        for (prop, _) in stage.props.iter().zip(hides).filter(|(_, hides)| **hides) {
+        for prop in stage.props.iter().filter(|prop| hides(prop)) {
             pass.draw(&survey, prop.mesh(), prop.state());
         }
         let count = (width * height) as usize;
@@ -159,7 +164,8 @@ impl Occlusion {
         renderer.render(&pass, &mut target)?;
 
         let [low, high] = stage.bounds;
-        let radius = 0.09 * (0..3).map(|axis| (high[axis] - low[axis]).powi(2)).sum::<f32>().sqrt().max(1e-6);
+        let [x, y, z] = [0, 1, 2].map(|axis| high[axis] - low[axis]);
+        let radius = 0.09 * (x * x + y * y + z * z).sqrt().max(1e-6);
         let Mat4([[_, a, ..], [_, b, ..], [_, c, ..], _]) = camera.clip_from_world;
         let focal = 0.5 * height as f32 * (a * a + b * b + c * c).sqrt();
         let (places, normals) = (Texture2d::new(width, height, places)?, Texture2d::new(width, height, normals)?);

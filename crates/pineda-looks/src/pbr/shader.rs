@@ -47,6 +47,15 @@ pub(super) struct Light<'a> {
     pub(super) tone_mapping: ToneMapping,
 }
 
+impl Light<'_> {
+    /// A direction of the stage's, in the environment.
+    #[inline(always)]
+    pub(super) fn around<L: Lanes>(&self, direction: Vec3<L>) -> Vec3<L> {
+        let [x, y, z] = self.axes;
+        Vec3::new(direction.dot(x), direction.dot(y), direction.dot(z))
+    }
+}
+
 /// A surface without maps.
 #[derive(Debug)]
 pub(super) struct Plain<'a, 's>(pub(super) Surface<'a, 's>);
@@ -98,9 +107,7 @@ impl Shader for Mapped<'_, '_> {
     }
 
     fn fragment<L: Lanes>(&self, f: &mut Fragment<L, Self>) -> Rgba<L> {
-        let (seen, dual) = (f.varyings(), f.dual());
-        let (uvs, steps) = ([dual.first, dual.second], [f.dx().position, f.dy().position]);
-        let place = Place { uvs, steps, is_front: f.front_facing(), pixel: Vec2::new(f.x(), f.y()) };
+        let (seen, place) = (f.varyings(), Place::of(f));
         self.0.color(&seen, &place)
     }
 }
@@ -117,9 +124,7 @@ impl Shader for Masked<'_, '_> {
     }
 
     fn fragment<L: Lanes>(&self, f: &mut Fragment<L, Self>) -> Rgba<L> {
-        let (seen, dual) = (f.varyings(), f.dual());
-        let (uvs, steps) = ([dual.first, dual.second], [f.dx().position, f.dy().position]);
-        let place = Place { uvs, steps, is_front: f.front_facing(), pixel: Vec2::new(f.x(), f.y()) };
+        let (seen, place) = (f.varyings(), Place::of(f));
         let cutoff = if let AlphaMode::Mask { cutoff } = self.0.coating.alpha_mode { cutoff } else { 0.0 };
         f.discard(self.0.base_color(&seen, &place).a.lt(cutoff));
         self.0.color(&seen, &place)
@@ -134,6 +139,16 @@ struct Place<L: Lanes> {
     is_front: Bool<L>,
     /// In pixels.
     pixel: Vec2<L>,
+}
+
+impl<L: Lanes> Place<L> {
+    /// With derivatives, for maps.
+    #[inline(always)]
+    fn of<S: Shader<Varyings<L> = Seen<L>>>(f: &Fragment<L, S>) -> Self {
+        let dual = f.dual();
+        let (uvs, steps) = ([dual.first, dual.second], [f.dx().position, f.dy().position]);
+        Self { uvs, steps, is_front: f.front_facing(), pixel: Vec2::new(f.x(), f.y()) }
+    }
 }
 
 /// A map's numbers, or ones.
@@ -209,13 +224,6 @@ impl Surface<'_, '_> {
         (tangent * (x * scale) + bitangent * (y * scale) + normal * z).normalize()
     }
 
-    /// A direction of the stage's, in the environment.
-    #[inline(always)]
-    fn around<L: Lanes>(&self, direction: Vec3<L>) -> Vec3<L> {
-        let [x, y, z] = self.light.axes;
-        Vec3::new(direction.dot(x), direction.dot(y), direction.dot(z))
-    }
-
     /// What reaches the eye, its alpha multiplied in: compiled once for all shaders that it is part of.
     #[shader(apart(place.pixel))]
     fn color<L: Lanes>(&self, seen: &Seen<L>, place: &Place<L>) -> Rgba<L> {
@@ -286,8 +294,8 @@ impl Surface<'_, '_> {
         }
         let reflected = mirror * (2.0 * mirror.dot(to_eye)) - to_eye;
         let shares = brdf::shares(f0, strength, n_dot_v, roughness);
-        let mirrored = light.environment.mirrored(self.around(reflected), roughness);
-        let scattered = light.environment.scattered(self.around(normal));
+        let mirrored = light.environment.mirrored(light.around(reflected), roughness);
+        let scattered = light.environment.scattered(light.around(normal));
         // What is hidden from light from all around is partly hidden from what mirrors, too (Lagarde and de Rousiers 2014).
         let open_to_mirror = (n_dot_v + open).squared() - 1.0 + open;
         let open_to_mirror = open_to_mirror.saturate().max(open * open);
@@ -322,7 +330,7 @@ impl Surface<'_, '_> {
             let part = factor * brdf::schlick(0.04, n_dot_v);
             let (a, b) = brdf::reflected(n_dot_v, roughness);
             let reflected = normal * (2.0 * normal.dot(to_eye)) - to_eye;
-            let gloss = light.environment.mirrored(self.around(reflected), roughness) * (a * 0.04 + b) * factor;
+            let gloss = light.environment.mirrored(light.around(reflected), roughness) * (a * 0.04 + b) * factor;
             color = color * (1.0 - part) + gloss * open_to_mirror;
         }
         self.shown(color, alpha, true)

@@ -1,7 +1,7 @@
 //! The key light's shadow: a map of what it sees, looked up with a wide filter ("percentage closer filtering", Reeves, Salesin and Cook 1987).
 
 use crate::Vertex;
-use crate::stage::Stage;
+use crate::stage::{Prop, Stage};
 use pineda::{
     Cull, DepthBias, DepthBuffer, DrawState, Error, Fragment, Lanes, Mat4, Pass, R32F, Real, Renderer, Rgba, Sampler,
     Shader, Target, Texture2d, Vec3, Vec4, Wrap, shader,
@@ -59,18 +59,17 @@ impl Shader for Depths {
     }
 }
 
-/// The depths of those props that cast a shadow, `size` x `size` of them.
-pub(super) fn depths(
-    stage: &Stage,
+/// The depths of the props that cast a shadow, `size` x `size` of them.
+pub(super) fn depths<'a>(
+    casters: impl Iterator<Item = &'a Prop>,
     clip_from_world: Mat4,
-    casts: &[bool],
     depth_bias: DepthBias,
     size: u32,
     renderer: &mut Renderer,
 ) -> Result<Vec<f32>, Error> {
     let shader = Depths { clip_from_world };
     let mut pass = Pass::new();
-    for (prop, _) in stage.props.iter().zip(casts).filter(|(_, casts)| **casts) {
+    for prop in casters {
         pass.draw(&shader, prop.mesh(), DrawState { depth_bias, cull: Cull::None, ..DrawState::default() });
     }
     let mut depths = vec![0.0; (size * size) as usize];
@@ -79,17 +78,24 @@ pub(super) fn depths(
 }
 
 impl Shadow {
-    /// Draws the map. `casts` says which props cast a shadow.
-    pub(super) fn new(stage: &Stage, toward: [f32; 3], casts: &[bool], renderer: &mut Renderer) -> Result<Self, Error> {
+    /// Draws the map of what `casts` a shadow.
+    pub(super) fn new(
+        stage: &Stage,
+        toward: [f32; 3],
+        casts: impl Fn(&Prop) -> bool,
+        renderer: &mut Renderer,
+    ) -> Result<Self, Error> {
         let [low, high] = stage.bounds;
         let center = [0, 1, 2].map(|axis| 0.5 * (low[axis] + high[axis]));
-        let radius = (0..3).map(|axis| 0.25 * (high[axis] - low[axis]).powi(2)).sum::<f32>().sqrt().max(1e-6) * 1.01;
+        let [x, y, z] = [0, 1, 2].map(|axis| 0.5 * (high[axis] - low[axis]));
+        let radius = (x * x + y * y + z * z).sqrt().max(1e-6) * 1.01;
         let from = [0, 1, 2].map(|axis| center[axis] + 2.0 * radius * toward[axis]);
         let up = if toward[1].abs() > 0.99 { [0.0, 0.0, 1.0] } else { [0.0, 1.0, 0.0] };
         let clip_from_world = Mat4::orthographic(-radius, radius, -radius, radius, radius, 3.0 * radius)
             * Mat4::look_at(from, center, up);
         let depth_bias = DepthBias { constant: 0.0, slope: 1.5, clamp: 0.0 };
-        let depth = depths(stage, clip_from_world, casts, depth_bias, SIZE, renderer)?;
+        let casters = stage.props.iter().filter(|prop| casts(prop));
+        let depth = depths(casters, clip_from_world, depth_bias, SIZE, renderer)?;
         // y grows downwards in maps.
         let map_from_clip = Mat4::translation([0.5, 0.5, 0.0]) * Mat4::scale([0.5, -0.5, 1.0]);
         Ok(Self {

@@ -40,9 +40,7 @@ impl Behind {
         let blur = roughness * (2.0 * ior - 2.0).clamp(0.0, 1.0);
         let sampler = Sampler { wrap: [Wrap::Clamp; 3], ..Sampler::TRILINEAR };
         let seen = self.picture.sample_level(&sampler, place, blur * self.levels);
-        let [x, y, z] = light.axes;
-        let around = Vec3::new(ray.dot(x), ray.dot(y), ray.dot(z));
-        let seen = seen.rgb() + light.environment.mirrored(around, blur) * (1.0 - seen.a).saturate();
+        let seen = seen.rgb() + light.environment.mirrored(light.around(ray), blur) * (1.0 - seen.a).saturate();
         let [r, g, b] = absorption.map(|absorption| (thickness * absorption).exp());
         Vec3::new(seen.x * r, seen.y * g, seen.z * b)
     }
