@@ -4,7 +4,7 @@
 
 #![allow(missing_docs, reason = "a test")]
 
-use pineda::{Renderer, Samples, Settings, Simd, TileSize};
+use pineda::{Error, MAX_SIZE, Renderer, Samples, Settings, Simd, TileSize};
 use pineda_looks::Stage;
 use pineda_looks::pbr::{self, Environment, PbrSettings, ToneMapping};
 use pineda_scene::{
@@ -230,4 +230,44 @@ fn pbr_leaves_the_background_to_others() {
         }
     }
     assert!(shadowed > 500, "{shadowed}");
+}
+
+/// Bug: the faces of a two-sided blended surface were blended in the order of its triangles. A ball has one back face and one front face at most in each pixel.
+#[test]
+fn pbr_blends_back_faces_before_front_faces() {
+    let mut renderer = Renderer::new(Settings::default()).unwrap();
+    let environment = Environment::studio(&mut renderer).unwrap();
+    let settings = PbrSettings { samples: Samples::One, ..PbrSettings::default() };
+    let mut draw = |is_reversed: bool, double_sided: bool| {
+        let glaze = Material {
+            alpha_mode: AlphaMode::Blend,
+            base_color_factor: [0.9, 0.2, 0.1, 0.5],
+            double_sided,
+            ..Material::gltf()
+        };
+        let mut object = ball([0.0; 3], 0);
+        if is_reversed {
+            object.triangles.reverse();
+        }
+        let mut scene = Scene { objects: vec![object], materials: vec![glaze], ..Scene::default() };
+        let framing = Framing::new(&Bounds::of(&scene).unwrap(), &View::default()).unwrap();
+        let stage = Stage::new(&mut scene, &framing, 1.0, 0.0).unwrap();
+        pbr::draw(&stage, &scene, &environment, &settings, [SIZE; 2], &mut renderer).unwrap()
+    };
+    let two_sided = draw(false, true);
+    assert!(two_sided == draw(true, true), "the order of triangles counts");
+    assert!(two_sided != draw(false, false), "the back faces are not seen");
+}
+
+#[test]
+fn pbr_of_a_size_that_cannot_be_is_an_error() {
+    let mut renderer = Renderer::new(Settings::default()).unwrap();
+    let environment = Environment::studio(&mut renderer).unwrap();
+    let mut scene = balls();
+    let framing = Framing::new(&Bounds::of(&scene).unwrap(), &View::default()).unwrap();
+    let stage = Stage::new(&mut scene, &framing, 1.0, 0.0).unwrap();
+    for size in [[0, 8], [8, 0], [u32::MAX, u32::MAX], [MAX_SIZE + 1, 1]] {
+        let drawn = pbr::draw(&stage, &scene, &environment, &PbrSettings::default(), size, &mut renderer);
+        assert!(matches!(drawn, Err(Error::TargetSize { .. })), "{size:?}: {drawn:?}");
+    }
 }
