@@ -12,7 +12,8 @@
 //! * minimum and maximum are a comparison and a select, because the instructions treat NaN and -0 differently;
 //! * conversions to integers saturate as Rust's `as` does, because the instructions differ out of range;
 //! * every function is `#[inline(always)]`: a function that is not inlined is compiled without the SIMD level's
-//!   instructions, and one such call made a kernel six times slower in a trial;
+//!   instructions, and one such call made a kernel six times slower in a trial. Long ones are functions all the same, by
+//!   way of [`Lanes::apart`], which keeps the level (`#[shader(apart)]`);
 //! * no closures and no iterator chains in lane code, for the same reason;
 //! * a packet is always sixteen lanes, whatever the registers' size, so that the packing of pixels never depends on
 //!   the machine.
