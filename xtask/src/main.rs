@@ -1,4 +1,4 @@
-//! The project's own commands: `cargo xtask test`, `prove`, `ulp`, `asm`, `compare`, `conformance`.
+//! The project's own commands: `cargo xtask test`, `prove`, `ulp`, `asm`, `compare`, `conformance`, `fidelity`.
 //!
 //! They are programs rather than shell scripts so that they run wherever Rust does.
 
@@ -39,6 +39,9 @@ enum Task {
     /// Draws thousands of cases with pineda and with lavapipe, and compares them pixel for pixel (docs/conformance.md)
     #[command(disable_help_flag = true)]
     Conformance(Forwarded),
+    /// Draws models with pineda and with three.js in Chromium, and compares them pixel for pixel (docs/fidelity.md): --only NAME, --size N
+    #[command(disable_help_flag = true)]
+    Fidelity(Forwarded),
 }
 
 /// Arguments for the program that does the work.
@@ -56,6 +59,7 @@ fn main() -> ExitCode {
         Task::Asm => asm::asm(),
         Task::Compare(Forwarded { arguments }) => run::compare(&arguments),
         Task::Conformance(Forwarded { arguments }) => run::conformance(&arguments),
+        Task::Fidelity(Forwarded { arguments }) => run::fidelity(&arguments),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

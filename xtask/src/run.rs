@@ -75,3 +75,26 @@ pub(crate) fn compare(arguments: &[String]) -> Result<(), String> {
         )
     })
 }
+
+/// `cargo xtask fidelity`: a script for Node, because three.js runs in a browser.
+pub(crate) fn fidelity(arguments: &[String]) -> Result<(), String> {
+    run(cargo().args(["build", "--quiet", "--release", "--package", "pineda-cli"]))?;
+    let target = std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root().join("target"), Into::into);
+    let binary = target.join("release").join(format!("pineda{}", std::env::consts::EXE_SUFFIX));
+    let folder = root().join("fidelity");
+    let compare = || {
+        if !folder.join("node_modules").is_dir() {
+            run(Command::new("npm").args(["ci", "--no-audit", "--no-fund"]).current_dir(&folder))?;
+        }
+        run(Command::new("node").args(["--test", "fidelity/judge.test.mjs"]).current_dir(root()))?;
+        run(Command::new("node")
+            .arg("fidelity/compare.mjs")
+            .arg("--pineda")
+            .arg(&binary)
+            .args(arguments)
+            .current_dir(root()))
+    };
+    compare().map_err(|problem| {
+        format!("{problem}\nIt needs Node with npm, and Chromium: `apt-get install nodejs npm chromium`. See fidelity/README.md.")
+    })
+}
