@@ -179,7 +179,7 @@ fn pbr_golden() {
             write(&pixels);
         }
         let hash = hash(&pixels);
-        assert_eq!(hash, 0x451b_d6b3_8fdf_b307, "{hash:#018x} at {simd}, {threads} threads, {tile:?}");
+        assert_eq!(hash, 0x8e48_273f_afcf_cd76, "{hash:#018x} at {simd}, {threads} threads, {tile:?}");
     }
 }
 
@@ -257,6 +257,34 @@ fn pbr_blends_back_faces_before_front_faces() {
     let two_sided = draw(false, true);
     assert!(two_sided == draw(true, true), "the order of triangles counts");
     assert!(two_sided != draw(false, false), "the back faces are not seen");
+}
+
+/// Bug: what a material cuts out cast shadows as if it were there, and hid light from all around.
+#[test]
+fn pbr_of_what_is_cut_out_is_as_if_it_was_not_there() {
+    let mut renderer = Renderer::new(Settings::default()).unwrap();
+    let environment = Environment::studio(&mut renderer).unwrap();
+    let mut draw = |roof: Option<AlphaMode>| {
+        let matt = Material { metallic_factor: 0.0, ..Material::gltf() };
+        let alpha_mode = roof.unwrap_or(AlphaMode::Opaque);
+        let materials = vec![matt.clone(), Material { alpha_mode, double_sided: true, ..matt }];
+        let mut scene = Scene { objects: vec![ball([0.0; 3], 0)], materials, ..Scene::default() };
+        // All of it in the ball's box, so that the camera and the ground are the same.
+        let corners = [[-0.4, 0.4, -0.4], [-0.4, 0.4, 0.4], [0.4, 0.4, 0.4], [0.4, 0.4, -0.4]];
+        scene.objects.extend(roof.map(|_| Object {
+            vertices: corners.map(Vertex::at).to_vec(),
+            triangles: vec![[0, 1, 2], [0, 2, 3]],
+            material: 1,
+            ..Object::default()
+        }));
+        let framing = Framing::new(&Bounds::of(&scene).unwrap(), &View::default()).unwrap();
+        let stage = Stage::new(&mut scene, &framing, 1.0, 0.0).unwrap();
+        pbr::draw(&stage, &scene, &environment, &PbrSettings::default(), [SIZE; 2], &mut renderer).unwrap()
+    };
+    let (without, all) = (draw(None), draw(Some(AlphaMode::Opaque)));
+    assert!(draw(Some(AlphaMode::Mask { cutoff: 1.1 })) == without, "nothing is left of it");
+    assert!(draw(Some(AlphaMode::Mask { cutoff: 0.5 })) == all, "all is left of it");
+    assert!(all != without);
 }
 
 #[test]

@@ -2,6 +2,7 @@
 //!
 //! Two shadows: the key light's, and that of the light from all around, which is dark where something is close above. Both are smooth, and so they are drawn once to a small map of the ground.
 
+use super::caster::Caster;
 use super::paint::{self, Corner, Paint};
 use super::shadow::{self, DISC, Shadow};
 use crate::stage::Stage;
@@ -79,7 +80,12 @@ impl Cast<'_> {
 
 impl Ground {
     /// `None` where the eye is not above the ground.
-    pub(super) fn new(stage: &Stage, shadow: Option<&Shadow>, renderer: &mut Renderer) -> Result<Option<Self>, Error> {
+    pub(super) fn new(
+        stage: &Stage,
+        casters: &[Caster<'_, '_>],
+        shadow: Option<&Shadow>,
+        renderer: &mut Renderer,
+    ) -> Result<Option<Self>, Error> {
         let [low, high] = stage.bounds;
         let size = [0, 1, 2].map(|axis| (high[axis] - low[axis]).max(1e-6));
         if stage.camera.eye[1] <= low[1] {
@@ -92,7 +98,7 @@ impl Ground {
         let [x, y, z] = center;
         let from_below = Mat4::orthographic(-reach, reach, -reach, reach, 0.0, high)
             * Mat4::look_at(center, [x, y + 1.0, z], [0.0, 0.0, -1.0]);
-        let mut heights = shadow::depths(stage.props.iter(), from_below, DepthBias::NONE, SIZE, renderer)?;
+        let mut heights = shadow::depths(casters.iter(), from_below, DepthBias::NONE, SIZE, renderer)?;
         // Seen from below, x runs to the left.
         for row in heights.chunks_exact_mut(SIZE as usize) {
             row.reverse();

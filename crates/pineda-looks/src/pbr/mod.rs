@@ -4,7 +4,8 @@
 //! scene -> Stage      objects where the camera wants them
 //!       -> Coating    each material's numbers and textures (`material.rs`)
 //! studio -> Environment   light from all around, filtered by roughness (`studio.rs`, `environment.rs`)
-//! stage  -> Shadow        what the key light sees (`shadow.rs`)
+//! stage  -> Caster        what hides light: props, less what is cut out of them (`caster.rs`)
+//!        -> Shadow        what the key light sees (`shadow.rs`)
 //!        -> Occlusion     what is hidden from light from all around (`occlusion.rs`)
 //!        -> Ground        both shadows on the ground (`ground.rs`)
 //!        -> Behind        the opaque part, for what lets light through (`transmission.rs`)
@@ -14,6 +15,7 @@
 //! [`draw`] goes through these steps in order; each is drawn with `pineda` itself.
 
 mod brdf;
+mod caster;
 mod environment;
 mod ground;
 mod material;
@@ -31,6 +33,7 @@ pub use tone::ToneMapping;
 use crate::gallery::Gallery;
 use crate::layers::sides;
 use crate::stage::{Prop, Stage};
+use caster::Caster;
 use ground::Ground;
 use material::Coating;
 use occlusion::Occlusion;
@@ -121,21 +124,27 @@ pub fn draw(
         _ => Part::Opaque,
     };
 
+    let casters: Vec<Caster<'_, '_>> = stage
+        .props
+        .iter()
+        .map(|prop| Caster::new(prop, scene, &mut gallery, settings.mipmaps))
+        .collect::<Result<_, _>>()?;
+
     // The studio turns with the camera; a panorama is of a place.
     let axes = if environment.has_key { axes(stage) } else { [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]] };
     let key = if environment.has_key && settings.shadows {
         let toward = [0, 1, 2].map(|k| (0..3).map(|axis| studio::KEY[axis] * axes[axis][k]).sum());
         // Glass casts a shadow, too.
-        Some(Shadow::new(stage, toward, |prop| part(prop) != Part::Blended, renderer)?)
+        Some(Shadow::new(stage, toward, &casters, |prop| part(prop) != Part::Blended, renderer)?)
     } else {
         None
     };
     let occlusion = match settings.occlusion {
-        true => Some(Occlusion::new(stage, [width, height], |prop| part(prop) == Part::Opaque, renderer)?),
+        true => Some(Occlusion::new(stage, &casters, [width, height], |prop| part(prop) == Part::Opaque, renderer)?),
         false => None,
     };
     let ground = match settings.ground {
-        true => Ground::new(stage, key.as_ref(), renderer)?,
+        true => Ground::new(stage, &casters, key.as_ref(), renderer)?,
         false => None,
     };
     let light = Light {

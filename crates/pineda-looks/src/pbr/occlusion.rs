@@ -3,12 +3,13 @@
 //! In screen space, at half the picture's size: around each pixel some places are looked at, and what lies above the surface there hides (McGuire, Mara and Luebke 2012, "Scalable Ambient
 //! Obscurance"). Each pixel turns the places by an angle of its own; a mean over 4 x 4 pixels at the same distance takes the noise out again.
 
+use super::caster::Caster;
 use super::paint::{self, Paint};
 use crate::Vertex;
 use crate::stage::{Prop, Stage};
 use pineda::{
-    ColorBuffer, Error, Fragment, Int, Lanes, Mat4, Pass, Real, Renderer, Rgba, Rgba32F, Shader, Target, Texture2d,
-    Vec2, Vec3, Vec4, outputs, shader, varyings,
+    ColorBuffer, Compare, DepthBuffer, DepthState, DrawState, Error, Fragment, Int, Lanes, Mat4, Pass, Real, Renderer,
+    Rgba, Rgba32F, Shader, Target, Texture2d, Vec2, Vec3, Vec4, outputs, shader, varyings,
 };
 use std::f32::consts::TAU;
 
@@ -142,6 +143,7 @@ impl Occlusion {
     /// `size` is the picture's. `hides` says which props hide anything.
     pub(super) fn new(
         stage: &Stage,
+        casters: &[Caster<'_, '_>],
         size: [u32; 2],
         hides: impl Fn(&Prop) -> bool,
         renderer: &mut Renderer,
@@ -151,16 +153,34 @@ impl Occlusion {
         let length = camera.eye.iter().map(|x| x * x).sum::<f32>().sqrt();
         let forward = camera.eye.map(|x| -x / length);
         let survey = Survey { clip_from_world: camera.clip_from_world, eye: camera.eye };
+        let count = (width * height) as usize;
+        // As in `layers.rs`: what is left of surfaces with holes is found again by its depth.
+        let casters = casters.iter().filter(|caster| hides(caster.prop));
+        let casters: Vec<_> = casters.map(|caster| (caster.prop, caster.cut(camera.clip_from_world))).collect();
+        let mut depths = vec![1.0; count];
+        if casters.iter().any(|(_, cut)| cut.is_some()) {
+            let mut pass = Pass::new();
+            for (prop, cut) in &casters {
+                if let Some(cut) = cut {
+                    pass.draw(cut, prop.mesh(), prop.state());
+                }
+            }
+            let depth = DepthBuffer::D32F(&mut depths);
+            renderer.render(&pass, &mut Target { depth, ..Target::new(width, height) })?;
+        }
         let mut pass = Pass::new();
         pass.clear_color = Some([0.0; 4]);
-        for prop in stage.props.iter().filter(|prop| hides(prop)) {
-            pass.draw(&survey, prop.mesh(), prop.state());
+        pass.clear_depth = None;
+        for (prop, cut) in &casters {
+            let left = DepthState { compare: Compare::Equal, write: false };
+            let depth = if cut.is_some() { left } else { DepthState::default() };
+            pass.draw(&survey, prop.mesh(), DrawState { depth, ..prop.state() });
         }
-        let count = (width * height) as usize;
         let (mut places, mut normals) = (vec![[0.0; 4]; count], vec![[0.0; 4]; count]);
         let mut target = Target::new(width, height);
         target.color = ColorBuffer::Rgba32F(&mut places);
         target.more_colors = vec![ColorBuffer::Rgba32F(&mut normals)];
+        target.depth = DepthBuffer::D32F(&mut depths);
         renderer.render(&pass, &mut target)?;
 
         let [low, high] = stage.bounds;

@@ -1,5 +1,6 @@
 //! The key light's shadow: a map of what it sees, looked up with a wide filter ("percentage closer filtering", Reeves, Salesin and Cook 1987).
 
+use super::caster::Caster;
 use crate::Vertex;
 use crate::stage::{Prop, Stage};
 use pineda::{
@@ -59,18 +60,23 @@ impl Shader for Depths {
     }
 }
 
-/// The depths of the props that cast a shadow, `size` x `size` of them.
-pub(super) fn depths<'a>(
-    casters: impl Iterator<Item = &'a Prop>,
+/// The depths of what casts a shadow, `size` x `size` of them.
+pub(super) fn depths<'a, 's: 'a>(
+    casters: impl Iterator<Item = &'a Caster<'a, 's>>,
     clip_from_world: Mat4,
     depth_bias: DepthBias,
     size: u32,
     renderer: &mut Renderer,
 ) -> Result<Vec<f32>, Error> {
     let shader = Depths { clip_from_world };
+    let state = DrawState { depth_bias, cull: Cull::None, ..DrawState::default() };
+    let casters: Vec<_> = casters.map(|caster| (caster.prop, caster.cut(clip_from_world))).collect();
     let mut pass = Pass::new();
-    for prop in casters {
-        pass.draw(&shader, prop.mesh(), DrawState { depth_bias, cull: Cull::None, ..DrawState::default() });
+    for (prop, cut) in &casters {
+        match cut {
+            Some(cut) => pass.draw(cut, prop.mesh(), state),
+            None => pass.draw(&shader, prop.mesh(), state),
+        };
     }
     let mut depths = vec![0.0; (size * size) as usize];
     renderer.render(&pass, &mut Target { depth: DepthBuffer::D32F(&mut depths), ..Target::new(size, size) })?;
@@ -82,6 +88,7 @@ impl Shadow {
     pub(super) fn new(
         stage: &Stage,
         toward: [f32; 3],
+        casters: &[Caster<'_, '_>],
         casts: impl Fn(&Prop) -> bool,
         renderer: &mut Renderer,
     ) -> Result<Self, Error> {
@@ -94,7 +101,7 @@ impl Shadow {
         let clip_from_world = Mat4::orthographic(-radius, radius, -radius, radius, radius, 3.0 * radius)
             * Mat4::look_at(from, center, up);
         let depth_bias = DepthBias { constant: 0.0, slope: 1.5, clamp: 0.0 };
-        let casters = stage.props.iter().filter(|prop| casts(prop));
+        let casters = casters.iter().filter(|caster| casts(caster.prop));
         let depth = depths(casters, clip_from_world, depth_bias, SIZE, renderer)?;
         // y grows downwards in maps.
         let map_from_clip = Mat4::translation([0.5, 0.5, 0.0]) * Mat4::scale([0.5, -0.5, 1.0]);
