@@ -5,7 +5,9 @@
 
 use crate::Vertex;
 use pineda::{Cull, DrawState, Indices, Mat4, Mesh, PrimitiveTopology};
-use pineda_scene::{AlphaMode, Bounds, Framing, Lens, Material, Normals, Object, Scene, flat_normals, smooth_normals};
+use pineda_scene::{
+    AlphaMode, Bounds, Framing, Lens, Light, LightKind, Material, Normals, Object, Scene, flat_normals, smooth_normals,
+};
 
 /// A camera and what it sees.
 #[derive(Debug)]
@@ -18,6 +20,8 @@ pub struct Stage {
     pub bounds: [[f32; 3]; 2],
     /// How long a unit of the scene is on the stage.
     pub scale: f32,
+    /// The scene's own lights, where they are on the stage, as bright as they are in the scene.
+    pub lights: Vec<Light>,
 }
 
 /// A camera that stands at distance 1 from what it looks at, the origin.
@@ -84,8 +88,20 @@ impl Stage {
             }
         };
         let props = objects.into_iter().map(prop).collect();
-        Some(Self { camera, props, bounds, scale: (1.0 / distance) as f32 })
+        let lights = scene.lights.iter().map(|light| lit_from(light, framing.target, distance)).collect();
+        Some(Self { camera, props, bounds, scale: (1.0 / distance) as f32, lights })
     }
+}
+
+/// A light on a stage on which `unit` of the scene's units are one.
+fn lit_from(light: &Light, origin: [f64; 3], unit: f64) -> Light {
+    let position = [0, 1, 2].map(|axis| (light.position[axis] - origin[axis]) / unit);
+    // What falls on a surface is intensity over the distance squared, and that has become smaller.
+    let intensity = match light.kind {
+        LightKind::Directional => light.intensity,
+        LightKind::Point | LightKind::Spot { .. } => (f64::from(light.intensity) / (unit * unit)) as f32,
+    };
+    Light { position, intensity, range: (f64::from(light.range) / unit) as f32, ..light.clone() }
 }
 
 fn vertices(object: &Object, place: impl Fn(f64, usize) -> f32, eye: [f32; 3]) -> Vec<Vertex> {

@@ -1,6 +1,6 @@
 //! Physically based pictures of balls of many materials, by hash of the raw pixels: the same at every SIMD level, with any number of threads and any tile size.
 //!
-//! `PINEDA_PICTURES=1 cargo test -p pineda-looks --test pbr` writes the picture to `target/tmp/pbr.png`.
+//! `PINEDA_PICTURES=1 cargo test -p pineda-looks --test pbr` writes the pictures to `target/tmp/pbr.png` and `target/tmp/pbr-lamps.png`.
 
 #![allow(missing_docs, reason = "a test")]
 
@@ -8,8 +8,9 @@ use pineda::{Error, MAX_SIZE, Renderer, Samples, Settings, Simd, TileSize};
 use pineda_looks::Stage;
 use pineda_looks::pbr::{self, Environment, PbrSettings, ToneMapping};
 use pineda_scene::{
-    AlphaMode, Anisotropy, Bounds, Clearcoat, Framing, Image, Iridescence, Material, Normals, Object, Sampler, Scene,
-    Sheen, Specular, SpecularGlossiness, Texels, Texture, TextureRef, Transmission, Vertex, View, Volume,
+    AlphaMode, Anisotropy, Bounds, Clearcoat, Framing, Image, Iridescence, Light, LightKind, Material, Normals, Object,
+    Sampler, Scene, Sheen, Specular, SpecularGlossiness, Texels, Texture, TextureRef, Transmission, Vertex, View,
+    Volume,
 };
 use std::sync::Arc;
 
@@ -118,6 +119,23 @@ fn materials() -> Vec<Material> {
     ]
 }
 
+/// One of each kind.
+fn lights() -> Vec<Light> {
+    let sun = Light {
+        name: "".into(),
+        color: [1.0, 0.9, 0.7],
+        intensity: 1.0,
+        range: f32::INFINITY,
+        position: [0.0; 3],
+        direction: [0.6, -0.8, 0.0],
+        kind: LightKind::Directional,
+    };
+    let place = Light { position: [-1.0, 1.6, 1.0], range: 3.0, intensity: 3.0, kind: LightKind::Point, ..sun.clone() };
+    let kind = LightKind::Spot { inner_cone_angle: 0.25, outer_cone_angle: 0.5 };
+    let cone = Light { position: [0.8, 2.0, 0.0], direction: [0.0, -1.0, 0.0], intensity: 12.0, kind, ..sun.clone() };
+    vec![sun, place, cone]
+}
+
 /// A ball of each material on a plate.
 fn balls() -> Scene {
     let mut materials = materials();
@@ -137,6 +155,7 @@ fn balls() -> Scene {
         materials,
         textures: vec![texture(0), texture(1)],
         images: vec![checkers(), bumps()],
+        lights: lights(),
         ..Scene::default()
     }
 }
@@ -158,8 +177,8 @@ fn hash(pixels: &[[f32; 4]]) -> u64 {
 }
 
 /// Over grey, so that alpha is seen.
-fn write(pixels: &[[f32; 4]]) {
-    let file = std::fs::File::create(concat!(env!("CARGO_TARGET_TMPDIR"), "/pbr.png")).unwrap();
+fn write(pixels: &[[f32; 4]], name: &str) {
+    let file = std::fs::File::create(format!("{}/{name}.png", env!("CARGO_TARGET_TMPDIR"))).unwrap();
     let code = |x: f32| (x.clamp(0.0, 1.0).powf(1.0 / 2.2) * 255.0 + 0.5) as u8;
     let bytes: Vec<u8> = pixels.iter().flat_map(|&[r, g, b, a]| [r, g, b].map(|c| code(c + 0.4 * (1.0 - a)))).collect();
     let mut png = png::Encoder::new(file, SIZE, SIZE);
@@ -167,20 +186,31 @@ fn write(pixels: &[[f32; 4]]) {
     png.write_header().unwrap().write_image_data(&bytes).unwrap();
 }
 
-#[test]
-fn pbr_golden() {
+/// At every level, with several numbers of threads and tile sizes.
+fn check(name: &str, light: impl Fn(&mut Renderer) -> Environment, settings: &PbrSettings, wanted: u64) {
     for (simd, (threads, tile)) in
         Simd::available().into_iter().zip([(1, TileSize::T64), (3, TileSize::T16)].into_iter().cycle())
     {
         let mut renderer = Renderer::new(Settings { simd, threads, tile, ..Settings::default() }).unwrap();
-        let environment = Environment::studio(&mut renderer).unwrap();
-        let pixels = draw(&environment, &PbrSettings::default(), &mut renderer);
+        let pixels = draw(&light(&mut renderer), settings, &mut renderer);
         if std::env::var_os("PINEDA_PICTURES").is_some() {
-            write(&pixels);
+            write(&pixels, name);
         }
         let hash = hash(&pixels);
-        assert_eq!(hash, 0x8e48_273f_afcf_cd76, "{hash:#018x} at {simd}, {threads} threads, {tile:?}");
+        assert_eq!(hash, wanted, "{name}: {hash:#018x} at {simd}, {threads} threads, {tile:?}");
     }
+}
+
+#[test]
+fn pbr_golden() {
+    let studio = |renderer: &mut Renderer| Environment::studio(renderer).unwrap();
+    check("pbr", studio, &PbrSettings::default(), 0x8e48_273f_afcf_cd76);
+}
+
+#[test]
+fn pbr_golden_lamps() {
+    let dim = |renderer: &mut Renderer| Environment::dim_studio(renderer).unwrap();
+    check("pbr-lamps", dim, &PbrSettings { own_lights: true, ..PbrSettings::default() }, 0x8f91_e08c_556f_11df);
 }
 
 /// A panorama that is white all around, without shadows: nothing is brighter than it, and a white matt surface is as bright.
@@ -257,6 +287,69 @@ fn pbr_blends_back_faces_before_front_faces() {
     let two_sided = draw(false, true);
     assert!(two_sided == draw(true, true), "the order of triangles counts");
     assert!(two_sided != draw(false, false), "the back faces are not seen");
+}
+
+/// A matt plane straight from above, without perspective, so that each pixel's place is known: what falls there by KHR_lights_punctual's formulas in the scene's own units, wherever and however large the scene is.
+#[test]
+fn pbr_lamps_light_as_much_as_they_do_in_the_scene() {
+    let mut renderer = Renderer::new(Settings::default()).unwrap();
+    let black = Environment::panorama(8, 4, &[[0.0; 3]; 32], &mut renderer).unwrap();
+    let settings = PbrSettings {
+        samples: Samples::One,
+        tone_mapping: ToneMapping::None,
+        own_lights: true,
+        occlusion: false,
+        ground: false,
+        ..PbrSettings::default()
+    };
+    for (unit, [x, z]) in [(1.0, [0.0, 0.0]), (64.0, [4096.0, -512.0]), (0.125, [-3.0, 8.0])] {
+        let corners = [[-1.0, -1.0], [-1.0, 1.0], [1.0, 1.0], [1.0, -1.0]];
+        let plane = Object {
+            vertices: corners.map(|[s, t]| Vertex::at([(x + s * unit) as f32, 0.0, (z + t * unit) as f32])).to_vec(),
+            triangles: vec![[0, 1, 2], [0, 2, 3]],
+            ..Object::default()
+        };
+        let matt = Material {
+            metallic_factor: 0.0,
+            specular: Some(Specular { factor: 0.0, ..Specular::default() }),
+            ..Material::gltf()
+        };
+        let (inner, outer) = (0.2, 0.7);
+        let lamp = Light {
+            name: "".into(),
+            color: [1.0, 0.5, 0.25],
+            intensity: (4.0 * unit * unit) as f32,
+            range: (2.0 * unit) as f32,
+            position: [x + 0.25 * unit, 1.25 * unit, z - 0.5 * unit],
+            direction: [0.0, -1.0, 0.0],
+            kind: LightKind::Spot { inner_cone_angle: inner, outer_cone_angle: outer },
+        };
+        let mut scene =
+            Scene { objects: vec![plane], materials: vec![matt], lights: vec![lamp.clone()], ..Scene::default() };
+        let view = View { azimuth: 0.0, elevation: 90.0, orthographic: true, ..View::default() };
+        let framing = Framing::new(&Bounds::of(&scene).unwrap(), &view).unwrap();
+        let stage = Stage::new(&mut scene, &framing, 1.0, 0.0).unwrap();
+        let pixels = pbr::draw(&stage, &scene, &black, &settings, [SIZE; 2], &mut renderer).unwrap();
+        let (mut lit, mut covered) = (0, 0);
+        for (k, pixel) in (0..).zip(pixels).filter(|(_, pixel)| pixel[3] > 0.0) {
+            // The circle around the plane fits the picture.
+            let at = |k: u32| (f64::from(2 * k + 1) / f64::from(SIZE) - 1.0) * 2f64.sqrt() * unit;
+            let [to_x, to_z] = [x + at(k % SIZE) - lamp.position[0], z + at(k / SIZE) - lamp.position[2]];
+            let distance = (to_x * to_x + to_z * to_z + lamp.position[1] * lamp.position[1]).sqrt();
+            let cosine = lamp.position[1] / distance;
+            let window = (1.0 - (distance / f64::from(lamp.range)).powi(4)).max(0.0);
+            let cone = ((cosine - outer.cos()) / (inner.cos() - outer.cos())).clamp(0.0, 1.0).powi(2);
+            let falls = f64::from(lamp.intensity) * cosine * window * cone / (distance * distance);
+            for (ours, color) in pixel.into_iter().zip(lamp.color) {
+                let theirs = (falls * f64::from(color) / std::f64::consts::PI).min(1.0);
+                // Corners are snapped to 1/256 pixel, and with them what lies between by up to 3.5e-5 units; light changes by less than 2 a unit.
+                assert!((f64::from(ours) - theirs).abs() < 7e-5, "pixel {k}, unit {unit}: {ours} instead of {theirs}");
+            }
+            lit += u32::from(falls > 0.0);
+            covered += 1;
+        }
+        assert!(lit > 3000 && covered > lit + 500, "{lit} of {covered}");
+    }
 }
 
 /// Bug: what a material cuts out cast shadows as if it were there, and hid light from all around.

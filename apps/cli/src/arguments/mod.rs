@@ -6,7 +6,7 @@ mod render;
 
 pub(crate) use info::InfoArguments;
 pub(crate) use raster::{RasterArguments, Show};
-pub(crate) use render::{CameraArguments, FileArguments, Frame, RenderArguments, Shading, Switch, ToneMapping};
+pub(crate) use render::{CameraArguments, FileArguments, Frame, Lights, RenderArguments, Shading, Switch, ToneMapping};
 
 use crate::failure::Failure;
 use clap::{Args, Parser, Subcommand};

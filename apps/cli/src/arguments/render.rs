@@ -147,6 +147,9 @@ pub(crate) struct LookArguments {
     /// Light from all around, in pbr shading: a panorama, .hdr or .exr [default: a studio with a key light]
     #[arg(long, value_name = "FILE")]
     pub(crate) environment: Option<PathBuf>,
+    /// Which lights shine in pbr shading, beside the light from all around
+    #[arg(long, value_enum, default_value = "studio")]
+    pub(crate) lights: Lights,
     /// Makes pbr pictures brighter or darker: each step doubles the light
     #[arg(long, value_name = "EV", default_value = "0", value_parser = exposure, allow_negative_numbers = true)]
     pub(crate) exposure: f64,
@@ -192,6 +195,14 @@ pub(crate) enum Shading {
     Overdraw,
     /// How many triangles cover a pixel: 0 black, 1 blue, 2 green, 3 yellow, 4 orange, 5 red, 6 magenta, more white
     Coverage,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Lights {
+    /// The studio's key light
+    Studio,
+    /// The model's own (KHR_lights_punctual), in a dimmed studio; without shadows
+    Model,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]

@@ -1,6 +1,6 @@
 //! The light of `--shading pbr`.
 
-use crate::arguments::{How, RenderArguments, Shading};
+use crate::arguments::{How, Lights, RenderArguments, Shading};
 use crate::failure::Failure;
 use exr::meta::MetaData;
 use exr::prelude::{ReadChannels, ReadLayers, Vec2, read};
@@ -16,21 +16,24 @@ const MOST_PIXELS: usize = 1 << 25;
 /// And their files at most so many bytes.
 const MOST_BYTES: u64 = 1 << 30;
 
-/// The studio, or the panorama that was asked for; none for looks that have no use for it. All models share it.
+/// The studio, dimmed beside models' own lights, or the panorama that was asked for; none for looks that have no use for it. All models share it.
 pub(crate) fn of(arguments: &RenderArguments, how: &How) -> Result<Option<Environment>, Failure> {
     let look = &arguments.look;
     if look.shading != Shading::Pbr {
-        return match &look.environment {
-            Some(_) => Err(Failure::usage("this shading does not know of light from around")
-                .at("--environment")
-                .help("leave it away, or give --shading pbr")),
-            None => Ok(None),
+        let (what, option) = match (&look.environment, look.lights) {
+            (Some(_), _) => ("light from around", "--environment"),
+            (None, Lights::Model) => ("a model's lights", "--lights model"),
+            (None, Lights::Studio) => return Ok(None),
         };
+        return Err(Failure::usage(format_args!("this shading does not know of {what}"))
+            .at(option)
+            .help("leave it away, or give --shading pbr"));
     }
     let mut renderer = how.renderer()?;
-    Ok(Some(match &look.environment {
-        None => Environment::studio(&mut renderer)?,
-        Some(path) => {
+    Ok(Some(match (&look.environment, look.lights) {
+        (None, Lights::Studio) => Environment::studio(&mut renderer)?,
+        (None, Lights::Model) => Environment::dim_studio(&mut renderer)?,
+        (Some(path), _) => {
             let (width, height, pixels) = panorama(path)?;
             Environment::panorama(width, height, &pixels, &mut renderer)?
         }

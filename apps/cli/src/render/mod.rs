@@ -122,6 +122,10 @@ fn draw(
         None => failure,
     };
     let Loaded { mut scene, notes } = loaded;
+    if plan.pbr.own_lights && scene.lights.is_empty() {
+        let without = Failure::data("the model has no lights of its own");
+        return Err(place(without.help("leave --lights model away; `pineda info MODEL` lists a model's lights")));
+    }
     let aspect = f64::from(plan.size.width) / f64::from(plan.size.height);
     let mut framing = camera::framing(&arguments.camera, &scene, aspect).map_err(place)?;
     if plan.shading == Shading::Pbr {

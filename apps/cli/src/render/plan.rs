@@ -1,6 +1,6 @@
 //! What the options amount to together, the same for every model.
 
-use crate::arguments::{RenderArguments, Shading, Switch, ToneMapping};
+use crate::arguments::{Lights, RenderArguments, Shading, Switch, ToneMapping};
 use crate::failure::Failure;
 use crate::picture::PictureFormat;
 use crate::values::{Background, Size};
@@ -86,6 +86,7 @@ impl Plan {
                     ToneMapping::Aces => pbr::ToneMapping::Aces,
                     ToneMapping::None => pbr::ToneMapping::None,
                 },
+                own_lights: look.lights == Lights::Model,
                 ground: look.ground == Switch::On,
                 mipmaps: look.mipmaps == Switch::On,
                 ..PbrSettings::default()

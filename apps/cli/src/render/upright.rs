@@ -20,6 +20,9 @@ pub(crate) fn turn(scene: &mut Scene, framing: &mut Framing, up: [f64; 3]) {
             *tangent = [x, y, z, side];
         }
     }
+    for light in &mut scene.lights {
+        (light.position, light.direction) = (turned(light.position), turned(light.direction));
+    }
     (framing.eye, framing.target, framing.up) = (turned(framing.eye), turned(framing.target), turned(framing.up));
 }
 

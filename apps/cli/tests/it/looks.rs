@@ -113,3 +113,39 @@ fn looks_of_lines_and_points() {
     points.sort_unstable();
     assert_eq!(points, [0, 1, 2, 5]);
 }
+
+/// A lamp of four candela at (0, 0, 5).
+const LAMP: [&str; 2] = [
+    r#""extensionsUsed": ["KHR_lights_punctual"], "extensions": {"KHR_lights_punctual": {"lights": [{"type": "point", "color": [1, 0, 0], "intensity": 4}]}},"#,
+    r#", "extensions": {"KHR_lights_punctual": {"light": 0}}"#,
+];
+
+#[test]
+fn looks_lit_by_the_models_own_lights() {
+    let folder = Workspace::new("lamps");
+    let [more, front] = LAMP;
+    let matt = r#"{"doubleSided": true, "pbrMetallicRoughness": {"metallicFactor": 0}}"#;
+    Squares { more, front, materials: [matt; 2], ..Squares::default() }.write(&folder, "a");
+    let pbr = ["--samples", "1", "--tone-mapping", "none", "--background", "transparent"];
+    let studio = middle(&folder, "a.gltf", &pbr);
+    assert_eq!(middle(&folder, "a.gltf", &[&pbr[..], &["--lights", "studio"]].concat()), studio);
+    let lit = |more: &[&str]| middle(&folder, "a.gltf", &[&pbr[..], &["--lights", "model"], more].concat());
+    let [red, green, blue, _] = lit(&[]);
+    assert!(red > green && green.abs_diff(blue) < 16, "red light in a grey studio: {red} {green} {blue}");
+    // The camera turned to the back: the lamp is behind the model.
+    let [behind, ..] = lit(&["--azimuth", "180"]);
+    assert!(behind < red, "{behind} {red}");
+    // The same lamp and the same picture, wherever up is.
+    let [up, ..] = lit(&["--up", "-x"]);
+    assert!(up.abs_diff(red) < 16, "{up} {red}");
+}
+
+#[test]
+fn looks_without_lights_say_so() {
+    let folder = Workspace::new("no-lamps");
+    Squares::default().write(&folder, "a");
+    let asked = ["render", "a.gltf", "-o", "b.png", "--lights", "model"];
+    folder.fail(&asked, 1, &["the model has no lights of its own", "where: a.gltf", "pineda info"]);
+    folder.fail(&[&asked[..], &["--shading", "lambert"]].concat(), 2, &["--lights model", "--shading pbr"]);
+    assert!(!folder.path("b.png").exists());
+}

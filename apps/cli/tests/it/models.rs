@@ -12,11 +12,13 @@ pub(crate) struct Squares {
     pub(crate) mode: u32,
     /// More of the file's top level, each with a comma at its end.
     pub(crate) more: &'static str,
+    /// More of the node at (0, 0, 5), each with a comma before it.
+    pub(crate) front: &'static str,
 }
 
 impl Default for Squares {
     fn default() -> Self {
-        Self { z: [0.0, 0.5], materials: ["{}", "{}"], mode: 4, more: "" }
+        Self { z: [0.0, 0.5], materials: ["{}", "{}"], mode: 4, more: "", front: "" }
     }
 }
 
@@ -34,11 +36,11 @@ impl Squares {
         let bytes: Vec<u8> = numbers.iter().flat_map(|number: &f32| number.to_le_bytes()).collect();
         let length = bytes.len();
         folder.write(&format!("{name}.bin"), bytes);
-        let Self { z: [a, b], materials: [first, second], mode, more } = self;
+        let Self { z: [a, b], materials: [first, second], mode, more, front } = self;
         let text = format!(
             r#"{{"asset": {{"version": "2.0"}}, {more}
             "scenes": [{{"name": "both", "nodes": [0, 1, 2]}}, {{"name": "second", "nodes": [1]}}], "scene": 0,
-            "nodes": [{{"mesh": 0}}, {{"mesh": 1}}, {{"name": "front", "camera": 0, "translation": [0, 0, 5]}}],
+            "nodes": [{{"mesh": 0}}, {{"mesh": 1}}, {{"name": "front", "camera": 0, "translation": [0, 0, 5]{front}}}],
             "cameras": [{{"type": "orthographic", "orthographic": {{"xmag": 1, "ymag": 1, "znear": 1, "zfar": 9}}}}],
             "meshes": [
                 {{"primitives": [{{"attributes": {{"POSITION": 0}}, "material": 0, "mode": {mode}}}]}},

@@ -27,9 +27,14 @@ pub struct Environment {
     mirrored: TextureCube<'static, Rgba16F>,
     /// Irradiance over pi as a polynomial of the normal: 1, y, z, x, xy, yz, 3z^2 - 1, xz, x^2 - y^2.
     scattered: [[f32; 3]; 9],
+    /// Whether it turns with the camera.
+    pub(super) is_studio: bool,
     /// Whether the key light shines beside it: what it gives is missing in what scatters.
     pub(super) has_key: bool,
 }
+
+/// How bright the studio is beside other lights.
+const DIMMED: f32 = 0.25;
 
 impl Environment {
     /// The studio that is made in code. It takes some milliseconds.
@@ -37,7 +42,27 @@ impl Environment {
     /// Errors: no memory.
     pub fn studio(renderer: &mut Renderer) -> Result<Self, Error> {
         let scattered = harmonics(&paint::faces(&Paint::Studio(Studio { first: 1 }), 16, renderer)?, 16);
-        Self::new(paint::faces(&Paint::Studio(Studio { first: 0 }), SIZE, renderer)?, scattered, true, renderer)
+        let faces = paint::faces(&Paint::Studio(Studio { first: 0 }), SIZE, renderer)?;
+        let made = Self::new(faces, scattered, renderer)?;
+        Ok(Self { is_studio: true, has_key: true, ..made })
+    }
+
+    /// The studio with its key light off and the others dimmed, to be there beside a scene's own lights.
+    ///
+    /// Errors: no memory.
+    pub fn dim_studio(renderer: &mut Renderer) -> Result<Self, Error> {
+        let dimmed = |size: u32, renderer: &mut Renderer| {
+            let mut faces = paint::faces(&Paint::Studio(Studio { first: 1 }), size, renderer)?;
+            for texel in &mut faces {
+                let [r, g, b, a] = *texel;
+                let [r, g, b] = [r, g, b].map(|light| f32_to_f16(f16_to_f32(light) * DIMMED));
+                *texel = [r, g, b, a];
+            }
+            Ok::<_, Error>(faces)
+        };
+        let scattered = harmonics(&dimmed(16, renderer)?, 16);
+        let made = Self::new(dimmed(SIZE, renderer)?, scattered, renderer)?;
+        Ok(Self { is_studio: true, ..made })
     }
 
     /// A panorama: an image, in linear light, of all directions, that of -z in the middle, those of +y along its first row and of -y along its last (as in .hdr and .exr files of environments).
@@ -54,15 +79,11 @@ impl Environment {
         let scattered = harmonics(&paint::faces(&Paint::Panorama(small), 16, renderer)?, 16);
         let panorama = Panorama { picture, level: libm::log2f(level) };
         let faces = paint::faces(&Paint::Panorama(panorama), SIZE, renderer)?;
-        Self::new(faces, scattered, false, renderer)
+        Self::new(faces, scattered, renderer)
     }
 
-    fn new(
-        faces: Vec<[u16; 4]>,
-        scattered: [[f32; 3]; 9],
-        has_key: bool,
-        renderer: &mut Renderer,
-    ) -> Result<Self, Error> {
+    /// Of no studio, without a key light.
+    fn new(faces: Vec<[u16; 4]>, scattered: [[f32; 3]; 9], renderer: &mut Renderer) -> Result<Self, Error> {
         let source = TextureCube::<Rgba16F>::new(SIZE, &faces[..])?.with_mips()?;
         let mut levels = faces.clone();
         for (level, draws) in (1..LEVELS).zip(DRAWS) {
@@ -70,7 +91,8 @@ impl Environment {
             let prefilter = Paint::Prefilter(Prefilter { source: &source, lobe: lobe(roughness, draws) });
             levels.append(&mut paint::faces(&prefilter, SIZE >> level, renderer)?);
         }
-        Ok(Self { mirrored: TextureCube::with_levels(SIZE, LEVELS, levels)?, scattered, has_key })
+        let mirrored = TextureCube::with_levels(SIZE, LEVELS, levels)?;
+        Ok(Self { mirrored, scattered, is_studio: false, has_key: false })
     }
 
     /// What a surface of a roughness reflects, whose mirror image would be what lies in a direction.

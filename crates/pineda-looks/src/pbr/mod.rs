@@ -4,7 +4,8 @@
 //! scene -> Stage      objects where the camera wants them
 //!       -> Coating    each material's numbers and textures (`material.rs`)
 //! studio -> Environment   light from all around, filtered by roughness (`studio.rs`, `environment.rs`)
-//! stage  -> Caster        what hides light: props, less what is cut out of them (`caster.rs`)
+//! stage  -> Lamp          the scene's own lights, on request (`lamps.rs`)
+//!        -> Caster        what hides light: props, less what is cut out of them (`caster.rs`)
 //!        -> Shadow        what the key light sees (`shadow.rs`)
 //!        -> Occlusion     what is hidden from light from all around (`occlusion.rs`)
 //!        -> Ground        both shadows on the ground (`ground.rs`)
@@ -18,6 +19,7 @@ mod brdf;
 mod caster;
 mod environment;
 mod ground;
+mod lamps;
 mod material;
 mod occlusion;
 mod paint;
@@ -35,6 +37,7 @@ use crate::layers::sides;
 use crate::stage::{Prop, Stage};
 use caster::Caster;
 use ground::Ground;
+use lamps::Lamp;
 use material::Coating;
 use occlusion::Occlusion;
 use pineda::{
@@ -56,6 +59,8 @@ pub struct PbrSettings {
     pub tone_mapping: ToneMapping,
     /// Whether the key light shines, where the environment is the studio, with its shadow.
     pub shadows: bool,
+    /// Whether the scene's own lights shine, beside the environment: a white, matt surface on which pi lux fall is white. They cast no shadows.
+    pub own_lights: bool,
     /// Whether a shadow falls on the ground below the model. Seen from below, there is none.
     pub ground: bool,
     /// Whether what is near hides light from all around.
@@ -72,6 +77,7 @@ impl Default for PbrSettings {
             exposure: 1.0,
             tone_mapping: ToneMapping::Neutral,
             shadows: true,
+            own_lights: false,
             ground: true,
             occlusion: true,
             mipmaps: true,
@@ -131,7 +137,7 @@ pub fn draw(
         .collect::<Result<_, _>>()?;
 
     // The studio turns with the camera; a panorama is of a place.
-    let axes = if environment.has_key { axes(stage) } else { [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]] };
+    let axes = if environment.is_studio { axes(stage) } else { [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]] };
     let key = if environment.has_key && settings.shadows {
         let toward = [0, 1, 2].map(|k| (0..3).map(|axis| studio::KEY[axis] * axes[axis][k]).sum());
         // Glass casts a shadow, too.
@@ -147,6 +153,10 @@ pub fn draw(
         true => Ground::new(stage, &casters, key.as_ref(), renderer)?,
         false => None,
     };
+    let lamps: Vec<Lamp> = match settings.own_lights {
+        true => stage.lights.iter().map(Lamp::new).collect(),
+        false => Vec::new(),
+    };
     let light = Light {
         clip_from_world: stage.camera.clip_from_world,
         eye: stage.camera.eye,
@@ -154,6 +164,7 @@ pub fn draw(
         environment,
         axes,
         key: key.as_ref().map(|shadow| (studio::KEY_LIGHT, shadow)),
+        lamps: &lamps,
         occlusion: occlusion.as_ref(),
         exposure: settings.exposure,
         tone_mapping: settings.tone_mapping,

@@ -1,7 +1,8 @@
-//! The surface itself: a material in light from all around and from a key light.
+//! The surface itself: a material in light from all around, from a key light, and from lamps.
 
 use super::brdf;
 use super::environment::Environment;
+use super::lamps::{self, Facing, Lamp};
 use super::material::{Coating, Workflow};
 use super::occlusion::Occlusion;
 use super::shadow::Shadow;
@@ -42,6 +43,8 @@ pub(super) struct Light<'a> {
     pub(super) axes: [[f32; 3]; 3],
     /// What the key light gives where it falls straight on, and its shadow.
     pub(super) key: Option<([f32; 3], &'a Shadow)>,
+    /// The scene's own lights.
+    pub(super) lamps: &'a [Lamp],
     pub(super) occlusion: Option<&'a Occlusion>,
     pub(super) exposure: f32,
     pub(super) tone_mapping: ToneMapping,
@@ -304,6 +307,13 @@ impl Surface<'_, '_> {
             let falls = normal.dot(shadow.toward).max(0.0) * geometric.dot(shadow.toward).gt(0.0).select(one, 0.0);
             diffuse += Vec3::new(one, one, one) * color * (falls * shadow.lit(seen.position, geometric));
         }
+        let facing = Facing { position: seen.position, geometric, normal, to_eye, f0, strength, roughness };
+        let mut glints = f0 * 0.0;
+        if !light.lamps.is_empty() {
+            let shone = lamps::shine(light.lamps, &facing);
+            diffuse += shone.scattered;
+            glints = shone.mirrored;
+        }
         let mut matt = albedo * diffuse * shares.rest;
         if let (Some(glass), Some(behind)) = (&coating.transmission, self.behind) {
             let through = (numbers(&glass.map, place).r * glass.factor).saturate();
@@ -313,6 +323,9 @@ impl Surface<'_, '_> {
             matt = matt.mix(seen_through * base.rgb() * shares.rest, through);
         }
         let mut color = matt + mirrored * shares.mirrored * open_to_mirror + scattered * shares.again * open;
+        if !light.lamps.is_empty() {
+            color += glints;
+        }
 
         // Layers on top.
         if let Some(sheen) = &coating.sheen {
@@ -332,6 +345,11 @@ impl Surface<'_, '_> {
             let reflected = normal * (2.0 * normal.dot(to_eye)) - to_eye;
             let gloss = light.environment.mirrored(light.around(reflected), roughness) * (a * 0.04 + b) * factor;
             color = color * (1.0 - part) + gloss * open_to_mirror;
+            if !light.lamps.is_empty() {
+                let f0 = Vec3::new(one, one, one) * 0.04;
+                color +=
+                    lamps::shine(light.lamps, &Facing { normal, f0, strength: factor, roughness, ..facing }).mirrored;
+            }
         }
         self.shown(color, alpha, true)
     }
