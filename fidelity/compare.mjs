@@ -90,7 +90,7 @@ async function received(kind, path, body) {
 const folders = [['/three/', join(here, 'node_modules/three')], ['/models/', options.models], ['/page/', join(here, 'page')]];
 await work(options.chromium, folders, { size, modes: MODES, models }, received);
 
-const percent = (share) => `${(100 * share).toFixed(3)} %`;
+const percent = (share) => `${(100 * share).toFixed(4)} %`;
 console.log(`${versions}; ${size} x ${size} pixels; at most ${most} outliers\n`);
 console.log(`| model | what it shows | ${MODES.join(' | ')} | worst |\n| --- | --- | ${MODES.map(() => '---: | ').join('')}---: |`);
 for (const model of models) {
