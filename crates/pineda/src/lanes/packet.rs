@@ -35,7 +35,8 @@ impl<S: Simd> Lanes for Packet<S> {
         Self(a.token())
     }
 
-    #[inline(always)]
+    // `vectorize` is `#[inline]`: called by itself, it would be compiled again in each codegen unit that looks a texture up.
+    #[inline(never)]
     fn apart<R>(self, f: impl FnOnce() -> R) -> R {
         self.0.vectorize(f)
     }
