@@ -18,6 +18,8 @@ pub(crate) struct Arguments {
 pub(crate) enum Command {
     /// Draw one scene with one renderer in this process: what the comparison starts for every measurement, and a thing to profile
     Draw(Draw),
+    /// How time and memory grow with the number of triangles and of pixels
+    Scaling(Scaling),
     /// Draw thousands of cases with pineda and with lavapipe and compare them pixel for pixel; docs/conformance.md says what and how
     #[cfg(all(feature = "pineda", feature = "vulkan"))]
     Conformance(Conformance),
@@ -70,9 +72,9 @@ pub(crate) struct Compare {
     /// Write each renderer's picture of each scene to this folder as PNG
     #[arg(long, value_name = "DIR")]
     pub(crate) pictures: Option<PathBuf>,
-    /// Write every frame's time to this file
-    #[arg(long, value_name = "FILE")]
-    pub(crate) json: Option<PathBuf>,
+    /// Where the chart (chart.svg) and every frame's time (times.json) are written
+    #[arg(long, value_name = "DIR", default_value = "target/comparison")]
+    pub(crate) out_dir: PathBuf,
     /// This program built with -C target-cpu=native, to draw euc's pictures with
     #[arg(long, value_name = "PROGRAM")]
     pub(crate) native: Option<PathBuf>,
@@ -85,14 +87,33 @@ pub(crate) struct Compare {
 }
 
 #[derive(Args, Debug)]
+pub(crate) struct Scaling {
+    /// Number of threads (default: all of the machine's)
+    #[arg(long, value_name = "N")]
+    pub(crate) threads: Option<usize>,
+    /// Where the plot (scaling.svg) is written
+    #[arg(long, value_name = "DIR", default_value = "target/comparison")]
+    pub(crate) out_dir: PathBuf,
+}
+
+#[derive(Args, Debug)]
 pub(crate) struct Draw {
     #[arg(long)]
     pub(crate) peer: Peer,
     #[arg(long)]
     pub(crate) scene: SceneName,
+    /// About so many triangles; for `micro`
+    #[arg(long, default_value_t = 1_000_000, hide_default_value = true, value_parser = clap::value_parser!(u32).range(4..=50_000_000))]
+    pub(crate) triangles: u32,
+    /// A square picture of so many pixels each way; for `medium`
+    #[arg(long, value_name = "PIXELS", value_parser = clap::value_parser!(u32).range(1..=16_384))]
+    pub(crate) side: Option<u32>,
     /// Threads for renderers that take their number as a setting (0: all cores)
     #[arg(long, default_value_t = 0)]
     pub(crate) threads: usize,
+    /// Frames before the clock starts
+    #[arg(long, default_value_t = 3)]
+    pub(crate) warm_up: u32,
     /// Timed frames at most
     #[arg(long, default_value_t = 20, value_parser = clap::value_parser!(u32).range(1..))]
     pub(crate) frames: u32,

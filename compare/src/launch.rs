@@ -7,6 +7,10 @@ use crate::scene::SceneName;
 use anyhow::{Context, Result, ensure};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
+use std::time::Instant;
+
+/// Processes that are timed in a turn of [`SceneName::ColdStart`].
+const COLD_PROCESSES: u32 = 5;
 
 /// A renderer that was found on this machine.
 #[derive(Clone, Debug)]
@@ -104,11 +108,31 @@ pub(crate) struct Turn<'a> {
 impl Turn<'_> {
     /// Runs the turn and waits for it.
     pub(crate) fn run(&self) -> Result<Report> {
+        if self.scene == SceneName::ColdStart { self.run_cold() } else { self.process(self.frames, &[]) }
+    }
+
+    /// A few processes that draw one frame each: their times are those of whole processes, and processor time is not told apart.
+    fn run_cold(&self) -> Result<Report> {
+        let one_frame = |turn: &Self| turn.process(1, &["--warm-up", "0"]);
+        // The first brings programs and drivers into the system's memory, and fills drivers' caches of shaders on disk.
+        let mut report = one_frame(self)?;
+        report.frames_ms.clear();
+        for _ in 0..COLD_PROCESSES {
+            let start = Instant::now();
+            report.peak_mib = one_frame(&Self { picture: None, ..*self })?.peak_mib;
+            report.frames_ms.push(1e3 * start.elapsed().as_secs_f64());
+        }
+        report.cpu_ms = None;
+        Ok(report)
+    }
+
+    /// One process that draws so many frames at most, and what it reports.
+    fn process(&self, frames: u32, arguments: &[&str]) -> Result<Report> {
         let report = self.scratch.join("report.json");
         let mut command = self.pinned();
         command.args(["draw", "--peer", self.found.peer.as_str(), "--scene", self.scene.as_str()]);
-        command.args(["--threads", &self.threads.to_string(), "--frames", &self.frames.to_string()]);
-        command.args(["--seconds", &self.seconds.to_string()]).arg("--report").arg(&report);
+        command.args(["--threads", &self.threads.to_string(), "--seconds", &self.seconds.to_string()]);
+        command.args(["--frames", &frames.to_string()]).args(arguments).arg("--report").arg(&report);
         if let Some(picture) = self.picture {
             command.arg("--picture").arg(picture);
         }
@@ -137,7 +161,12 @@ impl Turn<'_> {
         }
         match self.found.peer {
             Peer::Lavapipe => {
-                command.env("MESA_SHADER_CACHE_DISABLE", "true").env("LP_NUM_THREADS", self.threads.to_string());
+                command.env("LP_NUM_THREADS", self.threads.to_string());
+                if self.scene == SceneName::ColdStart {
+                    command.env("MESA_SHADER_CACHE_DIR", self.scratch.join("mesa"));
+                } else {
+                    command.env("MESA_SHADER_CACHE_DISABLE", "true");
+                }
             }
             Peer::Swiftshader => {
                 // Read from the folder in which the process runs.

@@ -1,7 +1,7 @@
 //! What the numbers were measured on, and when.
 
 use serde::Serialize;
-use std::time::{SystemTime, UNIX_EPOCH};
+use std::time::{Instant, SystemTime, UNIX_EPOCH};
 
 #[derive(Debug, Serialize)]
 pub(crate) struct Machine {
@@ -33,6 +33,33 @@ pub(crate) fn process_cpu_ms() -> Option<f64> {
     let user: f64 = fields.next()?.parse().ok()?;
     let system: f64 = fields.next()?.parse().ok()?;
     Some(10.0 * (user + system))
+}
+
+/// The most memory that this process has had so far, in MiB.
+pub(crate) fn peak_mib() -> Option<f64> {
+    let status = std::fs::read_to_string("/proc/self/status").ok()?;
+    let peak = status.lines().find_map(|line| line.strip_prefix("VmHWM:"))?;
+    let kib: f64 = peak.trim().strip_suffix("kB")?.trim().parse().ok()?;
+    Some(kib / 1024.0)
+}
+
+/// Bytes a second that so many threads write to memory by the means of a plain Rust program, in GB (10^9): the median of nine times 64 MiB each.
+pub(crate) fn write_bandwidth(threads: usize) -> f64 {
+    const BYTES: usize = 64 << 20;
+    let mut memory = vec![0_u8; BYTES];
+    let mut rates: Vec<f64> = (0..9_u8)
+        .map(|round| {
+            let start = Instant::now();
+            std::thread::scope(|scope| {
+                for part in memory.chunks_mut(BYTES.div_ceil(threads)) {
+                    scope.spawn(move || std::hint::black_box(part).fill(round));
+                }
+            });
+            BYTES as f64 / start.elapsed().as_secs_f64() / 1e9
+        })
+        .collect();
+    rates.sort_by(f64::total_cmp);
+    rates[rates.len() / 2]
 }
 
 /// The model's name together with family and model number, because virtual machines like to hide the name's telling half.

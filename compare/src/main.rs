@@ -1,6 +1,7 @@
 //! Draws the same scenes with `pineda` and its peers on this machine, in turn, and prints how long each took. See README.md.
 
 mod backend;
+mod chart;
 mod cli;
 #[cfg(all(feature = "pineda", feature = "vulkan"))]
 mod conformance;
@@ -11,6 +12,7 @@ mod launch;
 mod machine;
 mod measure;
 mod picture;
+mod scaling;
 mod scene;
 mod table;
 
@@ -21,6 +23,7 @@ fn main() -> ExitCode {
     let arguments = cli::Arguments::parse();
     let outcome = match arguments.command {
         Some(cli::Command::Draw(draw)) => draw::draw(&draw).map(|()| true),
+        Some(cli::Command::Scaling(arguments)) => scaling::scaling(&arguments).map(|()| true),
         #[cfg(all(feature = "pineda", feature = "vulkan"))]
         Some(cli::Command::Conformance(arguments)) => conformance::conformance(&arguments),
         None => measure::compare(&arguments.compare),

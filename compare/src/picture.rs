@@ -1,6 +1,6 @@
 //! Pictures on disk, and how alike two of them are.
 
-use crate::scene::{HEIGHT, WIDTH};
+use crate::scene::Size;
 use anyhow::{Context, Result, ensure};
 use std::fs::File;
 use std::io::{BufReader, BufWriter};
@@ -10,9 +10,9 @@ use std::path::Path;
 const SAME_CODES: u8 = 2;
 
 /// Writes a picture as PNG. The codes are linear, and the file says so with its gamma.
-pub(crate) fn write(path: &Path, pixels: &[[u8; 4]]) -> Result<()> {
+pub(crate) fn write(path: &Path, [width, height]: Size, pixels: &[[u8; 4]]) -> Result<()> {
     let file = File::create(path).with_context(|| format!("cannot write {}", path.display()))?;
-    let mut encoder = png::Encoder::new(BufWriter::new(file), WIDTH, HEIGHT);
+    let mut encoder = png::Encoder::new(BufWriter::new(file), width, height);
     encoder.set_color(png::ColorType::Rgba);
     encoder.set_depth(png::BitDepth::Eight);
     encoder.set_compression(png::Compression::Fast);
@@ -27,10 +27,11 @@ pub(crate) fn write(path: &Path, pixels: &[[u8; 4]]) -> Result<()> {
 pub(crate) fn read(path: &Path) -> Result<Vec<[u8; 4]>> {
     let file = File::open(path).with_context(|| format!("cannot read {}", path.display()))?;
     let mut reader = png::Decoder::new(BufReader::new(file)).read_info()?;
-    let mut pixels = vec![[0; 4]; (WIDTH * HEIGHT) as usize];
+    let [width, height] = [reader.info().width, reader.info().height];
+    let mut pixels = vec![[0; 4]; (width * height) as usize];
     ensure!(
         reader.output_buffer_size() == Some(pixels.as_flattened().len()),
-        "{} is not a {WIDTH} x {HEIGHT} picture with alpha",
+        "{} is not a picture with alpha",
         path.display()
     );
     reader.next_frame(pixels.as_flattened_mut())?;

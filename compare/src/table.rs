@@ -2,13 +2,13 @@
 
 use crate::backend::Peer;
 use crate::measure::{Measurement, Results};
-use crate::scene::SceneName;
+use crate::scene::{Scene, SceneName};
 
 /// Prints machine, versions, tables per number of threads (Markdown, so that they can be pasted) and the check of the pictures.
 pub(crate) fn print(results: &Results) {
     let machine = &results.machine;
     println!("{}, {} cores, {}; {}", machine.cpu, machine.cores, machine.simd, machine.date);
-    println!("1920 x 1080, image in memory; {} rounds", results.rounds);
+    println!("1920 x 1080 unless the scene says otherwise, image in memory; {} rounds", results.rounds);
     let mut versions: Vec<(Peer, &str)> =
         results.measurements.iter().map(|one| (one.peer, one.version.as_str())).collect();
     versions.sort_unstable();
@@ -24,6 +24,10 @@ pub(crate) fn print(results: &Results) {
         print_table(&results.measurements, threads, time_cell);
         println!("\nthreads: {threads}; processor time in ms a frame, all threads together, and its ratio");
         print_table(&results.measurements, threads, cpu_cell);
+        println!("\nthreads: {threads}; at most so many MiB of memory");
+        print_table(&results.measurements, threads, memory_cell);
+        print_mean(&results.measurements, threads);
+        print_fill(results, threads);
     }
     print_likenesses(results);
 }
@@ -63,6 +67,57 @@ fn cpu_cell(one: &Measurement, first: Option<&Measurement>) -> String {
     let Some(cpu_ms) = one.cpu_ms() else { return "unknown".to_owned() };
     let first = first.filter(|first| first.peer != one.peer).and_then(Measurement::cpu_ms);
     format!("{cpu_ms:.2}{}", ratio_text(first.map(|first| cpu_ms / first)))
+}
+
+fn memory_cell(one: &Measurement, _: Option<&Measurement>) -> String {
+    one.peak_mib.map_or_else(|| "unknown".to_owned(), |mib| format!("{mib:.0}"))
+}
+
+/// How many times as long the best peer takes, scene by scene.
+pub(crate) fn best_ratios(measurements: &[Measurement], threads: usize) -> Vec<(SceneName, f64)> {
+    let of_count = |one: &&Measurement| one.threads == one.peer.useful_threads(threads);
+    let ours = measurements.iter().filter(of_count).filter(|one| one.peer == Peer::Pineda);
+    ours.filter_map(|ours| {
+        let peers = measurements.iter().filter(of_count);
+        let peers = peers.filter(|one| one.scene == ours.scene && one.peer != Peer::Pineda);
+        let best = peers.map(Measurement::median_ms).reduce(f64::min)?;
+        Some((ours.scene, best / ours.median_ms()))
+    })
+    .collect()
+}
+
+/// The geometric mean of [`best_ratios`].
+pub(crate) fn mean(ratios: &[(SceneName, f64)]) -> f64 {
+    (ratios.iter().map(|(_, ratio)| ratio.ln()).sum::<f64>() / ratios.len() as f64).exp()
+}
+
+fn print_mean(measurements: &[Measurement], threads: usize) {
+    let ratios = best_ratios(measurements, threads);
+    if let Some((scene, least)) = ratios.iter().min_by(|a, b| a.1.total_cmp(&b.1)) {
+        let (count, scene) = (ratios.len(), scene.as_str());
+        println!(
+            "\nThe best peer takes {:.1} times as long, on geometric average over {count} scenes; at least {least:.1} times ({scene}).",
+            mean(&ratios)
+        );
+    }
+}
+
+/// How near a picture of layers comes to what must be written anyway.
+fn print_fill(results: &Results, threads: usize) {
+    let Some(&(_, rate)) = results.write_bandwidths.iter().find(|(count, _)| *count == threads) else { return };
+    println!("A plain loop writes {rate:.1} GB/s with {threads} threads.");
+    for scene in [SceneName::FillFrontToBack, SceneName::FillBackToFront] {
+        let ours = |one: &&Measurement| one.peer == Peer::Pineda && one.scene == scene && one.threads == threads;
+        if let Some(ours) = results.measurements.iter().find(ours) {
+            let [width, height] = Scene::new(scene).size;
+            let least_ms = f64::from(4 * width * height) / rate / 1e6;
+            let name = scene.as_str();
+            println!(
+                "Writing the picture of {name} so takes {least_ms:.2} ms, {:.0} % of the frame's time.",
+                100.0 * least_ms / ours.median_ms()
+            );
+        }
+    }
 }
 
 fn ratio_text(ratio: Option<f64>) -> String {

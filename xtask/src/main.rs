@@ -1,8 +1,9 @@
-//! The project's own commands: `cargo xtask test`, `prove`, `ulp`, `asm`, `compare`, `conformance`, `fidelity`.
+//! The project's own commands: `cargo xtask test`, `prove`, `ulp`, `asm`, `count`, `compare`, `scaling`, `conformance`, `fidelity`.
 //!
 //! They are programs rather than shell scripts so that they run wherever Rust does.
 
 mod asm;
+mod count;
 mod run;
 mod test;
 
@@ -33,9 +34,18 @@ enum Task {
     Ulp(Forwarded),
     /// Checks the kernels' machine code: no calls to lane operations, no scalar leftovers
     Asm,
-    /// Draws the same scenes with pineda, lavapipe, SwiftShader and euc, and compares times and pictures
+    /// Counts the instructions of a frame of each scene (valgrind) and compares them with docs/instructions.txt: more than 3 % more fail
+    Count {
+        /// Write the record anew
+        #[arg(long)]
+        record: bool,
+    },
+    /// Draws the same scenes with pineda, lavapipe, SwiftShader and euc, and compares times and pictures. Debian has lavapipe in `mesa-vulkan-drivers` and SwiftShader in `chromium`
     #[command(disable_help_flag = true)]
     Compare(Forwarded),
+    /// Shows how time and memory grow, from a thousand triangles to ten million and from 256 x 256 pixels to 8192 x 8192
+    #[command(disable_help_flag = true)]
+    Scaling(Forwarded),
     /// Draws thousands of cases with pineda and with lavapipe, and compares them pixel for pixel (docs/conformance.md)
     #[command(disable_help_flag = true)]
     Conformance(Forwarded),
@@ -57,8 +67,10 @@ fn main() -> ExitCode {
         Task::Prove(Forwarded { arguments }) => run::prove(&arguments),
         Task::Ulp(Forwarded { arguments }) => run::ulp(&arguments),
         Task::Asm => asm::asm(),
+        Task::Count { record } => count::count(record),
         Task::Compare(Forwarded { arguments }) => run::compare(&arguments),
-        Task::Conformance(Forwarded { arguments }) => run::conformance(&arguments),
+        Task::Scaling(Forwarded { arguments }) => run::of_comparison("scaling", &arguments),
+        Task::Conformance(Forwarded { arguments }) => run::of_comparison("conformance", &arguments),
         Task::Fidelity(Forwarded { arguments }) => run::fidelity(&arguments),
     };
     match result {

@@ -45,11 +45,11 @@ fn proof(program: &str, arguments: &[String]) -> Result<(), String> {
         .args(arguments))
 }
 
-/// `cargo xtask conformance`: a part of the program that compares times, for that has the drivers already.
-pub(crate) fn conformance(arguments: &[String]) -> Result<(), String> {
+/// `cargo xtask conformance` and `scaling`: parts of the program that compares times, for that has drivers and scenes already.
+pub(crate) fn of_comparison(command: &str, arguments: &[String]) -> Result<(), String> {
     let mut cargo = cargo();
     cargo.current_dir(root().join("compare")).env_remove("CARGO_TARGET_DIR");
-    run(cargo.args(["run", "--quiet", "--release", "--", "conformance"]).args(arguments))
+    run(cargo.args(["run", "--quiet", "--release", "--", command]).args(arguments))
 }
 
 /// `cargo xtask compare`: a workspace of its own, whose dependencies are no part of this one. euc has its program twice, for it is the only one

@@ -4,7 +4,7 @@
 //! so it is read in place. Its depth test is "less or equal" where the others' is "less", and it has no fill rule: pixels on a shared edge are drawn twice.
 
 use super::Backend;
-use crate::scene::{BlinnPhong, CLEAR_CODES, HEIGHT, Scene, Shading, WIDTH};
+use crate::scene::{BlinnPhong, CLEAR_CODES, Scene, Shading};
 use anyhow::{Result, bail};
 use euc::rasterizer::{BackfaceCullingDisabled, BackfaceCullingEnabled, Triangles};
 use euc::{Interpolate, Pipeline, Target, buffer::Buffer2d};
@@ -18,7 +18,7 @@ pub(super) struct Euc {
 
 impl Euc {
     pub(super) fn new(scene: &Scene) -> Self {
-        let size = [WIDTH as usize, HEIGHT as usize];
+        let size = scene.size.map(|pixels| pixels as usize);
         Self { scene: scene.clone(), color: Buffer2d::new(size, CLEAR_CODES), depth: Buffer2d::new(size, 1.0) }
     }
 }
@@ -38,11 +38,9 @@ impl Backend for Euc {
         self.depth.clear(1.0);
         let depth = Some(&mut self.depth);
         match self.scene.shading {
-            Shading::Translucent
-            | Shading::Textured(_)
-            | Shading::Floor
-            | Shading::Shadowed(_)
-            | Shading::FiveTextures(_) => bail!("euc is asked for opaque surfaces without textures only"),
+            Shading::Textured(_) | Shading::Floor | Shading::Shadowed(_) | Shading::FiveTextures(_) => {
+                bail!("euc is asked for surfaces without textures only")
+            }
             Shading::Gouraud => {
                 type Rasterizer<'a> = Triangles<'a, Buffer2d<f32>, BackfaceCullingDisabled>;
                 Colored { scene: &self.scene }.draw::<Rasterizer<'_>, _>(&self.scene.indices, &mut self.color, depth);
@@ -89,7 +87,7 @@ impl Pipeline for Colored<'_> {
     #[inline(always)]
     fn vert(&self, &index: &u32) -> ([f32; 4], Varying) {
         let vertex = &self.scene.vertices[index as usize];
-        (transform(&self.scene.clip_from_world, vertex.position), Varying(vertex.color))
+        (transform(&self.scene.draws[0].clip_from_world, vertex.position), Varying(vertex.color))
     }
 
     #[inline(always)]
@@ -112,7 +110,7 @@ impl Pipeline for Lit<'_> {
     #[inline(always)]
     fn vert(&self, &index: &u32) -> ([f32; 4], Self::VsOut) {
         let vertex = &self.scene.vertices[index as usize];
-        let clip = transform(&self.scene.clip_from_world, vertex.position);
+        let clip = transform(&self.scene.draws[0].clip_from_world, vertex.position);
         (clip, (Varying(vertex.position), Varying(vertex.normal)))
     }
 

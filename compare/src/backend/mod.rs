@@ -49,12 +49,18 @@ impl Peer {
         }
     }
 
-    /// Whether it can draw the scene: euc is asked for pictures of opaque surfaces without textures, one sample a pixel, only.
+    /// Whether it can draw the scene: euc is asked for pictures of opaque surfaces without textures, in one draw, one sample a pixel, only.
     pub(crate) fn draws(self, scene: SceneName) -> bool {
         self != Self::Euc
             || matches!(
                 scene,
-                SceneName::FillFrontToBack | SceneName::FillBackToFront | SceneName::Micro | SceneName::Medium
+                SceneName::FillFrontToBack
+                    | SceneName::FillBackToFront
+                    | SceneName::Micro
+                    | SceneName::Medium
+                    | SceneName::Knot256
+                    | SceneName::Slivers
+                    | SceneName::ColdStart
             )
     }
 

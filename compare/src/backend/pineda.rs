@@ -1,12 +1,12 @@
 //! `pineda` itself, as a program that depends on it would use it.
 
 use super::Backend;
-use crate::scene::{BlinnPhong, CLEAR_COLOR, HEIGHT, Output, Scene, Shading, TEXTURE_SIZE, Vertex, WIDTH, gray};
+use crate::scene::{BlinnPhong, CLEAR_COLOR, Draw, Output, Scene, Shading, State, TEXTURE_SIZE, Vertex, gray};
 use anyhow::Result;
 use pineda::{
-    Blend, ColorBuffer, Cull, DepthBuffer, DepthState, DrawState, Fragment, Indices, Lanes, Mat4, Mesh, Pass, R16,
-    Real, Renderer, Rgba, Rgba8, Sampler, Samples, Settings, Shader, Simd, Target, Texture2d, Vec2, Vec3, Vec4, Wrap,
-    shader, varyings,
+    Blend, ColorBuffer, Compare, Cull, DepthBuffer, DepthState, DrawState, Fragment, Indices, Lanes, Mat4, Mesh, Pass,
+    R16, Real, Renderer, Rgba, Rgba8, Sampler, Samples, Settings, Shader, Simd, Target, Texture2d, Vec2, Vec3, Vec4,
+    Wrap, shader, varyings,
 };
 use std::borrow::Cow;
 
@@ -21,7 +21,8 @@ pub(super) struct Pineda {
 
 impl Pineda {
     pub(super) fn new(scene: &Scene, threads: usize) -> Result<Self> {
-        let pixels = |output| if scene.output == output { (WIDTH * HEIGHT) as usize } else { 0 };
+        let [width, height] = scene.size;
+        let pixels = |output| if scene.output == output { (width * height) as usize } else { 0 };
         Ok(Self {
             renderer: Renderer::new(Settings { threads, ..Settings::default() })?,
             scene: scene.clone(),
@@ -46,63 +47,38 @@ impl Backend for Pineda {
     }
 
     fn draw(&mut self) -> Result<()> {
-        let mesh = Mesh { vertices: &self.scene.vertices, indices: Indices::U32(&self.scene.indices) };
-        let clip_from_world = Mat4(transposed(self.scene.clip_from_world));
-        let colored = Colored { clip_from_world };
-        let translucent = Translucent { clip_from_world };
-        let (lit, textured, floor, shadowed, five);
-        let back_faces = DrawState { cull: Cull::Back, ..DrawState::default() };
+        let Self { scene, renderer, textures, .. } = self;
+        let shadow_map = match &scene.shadow_map[..] {
+            [] => None,
+            texels => Some(Texture2d::new(TEXTURE_SIZE, TEXTURE_SIZE, texels)?),
+        };
+        let shaders: Vec<AnyShader<'_>> =
+            scene.draws.iter().map(|draw| AnyShader::new(scene, draw, textures, shadow_map.as_ref())).collect();
         let mut pass = Pass::new();
         pass.clear_color = Some(CLEAR_COLOR);
-        match self.scene.shading {
-            Shading::Gouraud => pass.draw(&colored, mesh, DrawState::default()),
-            Shading::Translucent => {
-                let depth = DepthState { write: false, ..DepthState::default() };
-                pass.draw(&translucent, mesh, DrawState { depth, blend: Blend::ALPHA, ..DrawState::default() })
-            }
-            Shading::BlinnPhong(uniforms) => {
-                lit = Lit { clip_from_world, uniforms };
-                pass.draw(&lit, mesh, back_faces)
-            }
-            Shading::Textured(uniforms) => {
-                textured =
-                    Textured { clip_from_world, uniforms, albedo: &self.textures[0], sampler: Sampler::TRILINEAR };
-                pass.draw(&textured, mesh, back_faces)
-            }
-            Shading::Floor => {
-                floor = Floor { clip_from_world, albedo: &self.textures[0], sampler: Sampler::ANISOTROPIC };
-                pass.draw(&floor, mesh, DrawState::default())
-            }
-            Shading::Shadowed(uniforms) => {
-                let shadow_map = Texture2d::new(TEXTURE_SIZE, TEXTURE_SIZE, &self.scene.shadow_map)?;
-                let sampler = Sampler { wrap: [Wrap::Repeat; 3], ..Sampler::SHADOW };
-                shadowed = Shadowed { clip_from_world, uniforms, shadow_map, sampler };
-                pass.draw(&shadowed, mesh, back_faces)
-            }
-            Shading::FiveTextures(uniforms) => {
-                let [albedo, normal, smoothness, occlusion, emission] = std::array::from_fn(|k| &self.textures[k]);
-                let sampler = Sampler::TRILINEAR;
-                five = FiveTextures {
-                    clip_from_world,
-                    uniforms,
-                    albedo,
-                    normal,
-                    smoothness,
-                    occlusion,
-                    emission,
-                    sampler,
-                };
-                pass.draw(&five, mesh, back_faces)
-            }
-        };
-        let samples = if self.scene.samples == 4 { Samples::Four } else { Samples::One };
-        let mut target = Target { samples, ..Target::new(WIDTH, HEIGHT) };
-        match self.scene.output {
+        for (draw, shader) in scene.draws.iter().zip(&shaders) {
+            let indices = &scene.indices[draw.indices.start as usize..draw.indices.end as usize];
+            let mesh = Mesh { vertices: &scene.vertices, indices: Indices::U32(indices) };
+            let state = draw_state(draw.state);
+            match shader {
+                AnyShader::Colored(shader) => pass.draw(shader, mesh, state),
+                AnyShader::Translucent(shader) => pass.draw(shader, mesh, state),
+                AnyShader::Lit(shader) => pass.draw(shader, mesh, state),
+                AnyShader::Textured(shader) => pass.draw(shader, mesh, state),
+                AnyShader::Floor(shader) => pass.draw(shader, mesh, state),
+                AnyShader::Shadowed(shader) => pass.draw(shader, mesh, state),
+                AnyShader::FiveTextures(shader) => pass.draw(shader, mesh, state),
+            };
+        }
+        let samples = if scene.samples == 4 { Samples::Four } else { Samples::One };
+        let [width, height] = scene.size;
+        let mut target = Target { samples, ..Target::new(width, height) };
+        match scene.output {
             Output::Color => target.color = ColorBuffer::Rgba8(&mut self.pixels),
             Output::Depth => target.depth = DepthBuffer::D32F(&mut self.depth),
             Output::Ids => target.triangle_ids = Some(&mut self.ids),
         }
-        self.renderer.render(&pass, &mut target)?;
+        renderer.render(&pass, &mut target)?;
         Ok(())
     }
 
@@ -111,6 +87,64 @@ impl Backend for Pineda {
             Output::Color => Cow::Borrowed(&self.pixels),
             Output::Depth => self.depth.iter().map(|&z| gray(z)).collect(),
             Output::Ids => self.ids.iter().map(|id| id.to_le_bytes()).collect(),
+        }
+    }
+}
+
+fn draw_state(state: State) -> DrawState {
+    let depth = DepthState {
+        compare: if state.passes_equal { Compare::LessEqual } else { Compare::Less },
+        write: !state.blends,
+    };
+    DrawState {
+        cull: if state.culls_back_faces { Cull::Back } else { Cull::None },
+        blend: if state.blends { Blend::ALPHA } else { Blend::default() },
+        depth,
+        ..DrawState::default()
+    }
+}
+
+/// A draw's shader.
+enum AnyShader<'a> {
+    Colored(Colored),
+    Translucent(Translucent),
+    Lit(Lit),
+    Textured(Textured<'a>),
+    Floor(Floor<'a>),
+    Shadowed(Shadowed<'a>),
+    FiveTextures(FiveTextures<'a>),
+}
+
+impl<'a> AnyShader<'a> {
+    fn new(
+        scene: &Scene,
+        draw: &Draw,
+        textures: &'a [Texture2d<'static, Rgba8>],
+        shadow_map: Option<&'a Texture2d<'a, R16>>,
+    ) -> Self {
+        let clip_from_world = Mat4(transposed(draw.clip_from_world));
+        let sampler = Sampler::TRILINEAR;
+        match scene.shading {
+            Shading::Gouraud if draw.state.blends => Self::Translucent(Translucent { clip_from_world }),
+            Shading::Gouraud => Self::Colored(Colored { clip_from_world }),
+            Shading::BlinnPhong(uniforms) => Self::Lit(Lit { clip_from_world, uniforms }),
+            Shading::Textured(uniforms) => {
+                Self::Textured(Textured { clip_from_world, uniforms, albedo: &textures[0], sampler })
+            }
+            Shading::Floor => {
+                Self::Floor(Floor { clip_from_world, albedo: &textures[0], sampler: Sampler::ANISOTROPIC })
+            }
+            Shading::Shadowed(uniforms) => {
+                let sampler = Sampler { wrap: [Wrap::Repeat; 3], ..Sampler::SHADOW };
+                let shadow_map = shadow_map.expect("the scene has a shadow map");
+                Self::Shadowed(Shadowed { clip_from_world, uniforms, shadow_map, sampler })
+            }
+            Shading::FiveTextures(uniforms) => {
+                let [albedo, normal, metal, occlusion, emission] = std::array::from_fn(|k| &textures[k]);
+                let five =
+                    FiveTextures { clip_from_world, uniforms, albedo, normal, metal, occlusion, emission, sampler };
+                Self::FiveTextures(five)
+            }
         }
     }
 }
@@ -261,7 +295,7 @@ impl Shader for Floor<'_> {
 struct Shadowed<'a> {
     clip_from_world: Mat4,
     uniforms: BlinnPhong,
-    shadow_map: Texture2d<'a, R16>,
+    shadow_map: &'a Texture2d<'a, R16>,
     sampler: Sampler,
 }
 
@@ -295,7 +329,7 @@ struct FiveTextures<'a> {
     uniforms: BlinnPhong,
     albedo: &'a Texture2d<'a, Rgba8>,
     normal: &'a Texture2d<'a, Rgba8>,
-    smoothness: &'a Texture2d<'a, Rgba8>,
+    metal: &'a Texture2d<'a, Rgba8>,
     occlusion: &'a Texture2d<'a, Rgba8>,
     emission: &'a Texture2d<'a, Rgba8>,
     sampler: Sampler,
@@ -313,13 +347,33 @@ impl Shader for FiveTextures<'_> {
 
     fn fragment<L: Lanes>(&self, f: &mut Fragment<L, Self>) -> Rgba<L> {
         let (uv, sampler) = (f.dual().uv, &self.sampler);
-        let bump = self.normal.sample(sampler, uv).rgb() - 0.5;
-        let (diffuse, highlight) = self.uniforms.light(f.position, f.normal + bump);
         let albedo = self.albedo.sample(sampler, uv).rgb();
-        let smoothness = self.smoothness.sample(sampler, uv).g;
+        let bump = self.normal.sample(sampler, uv).rgb() - 0.5;
+        let metal = self.metal.sample(sampler, uv);
+        let (roughness, metalness) = (metal.g * 0.7 + 0.2, metal.b);
         let occlusion = self.occlusion.sample(sampler, uv).r;
-        let emission = self.emission.sample(sampler, uv).rgb();
-        Rgba::opaque(albedo * (self.uniforms.ambient * occlusion + diffuse) + highlight * smoothness + emission * 0.05)
+        let emission = self.emission.sample(sampler, uv).rgb() * 0.05;
+
+        let BlinnPhong { eye, light, ambient, .. } = self.uniforms;
+        let normal = (f.normal + bump).normalize();
+        let view = (eye - f.position).normalize();
+        let half = (light + view).normalize();
+        let (n_l, n_v) = (normal.dot(light).max(0.0), normal.dot(view).max(1e-3));
+        let (n_h, v_h) = (normal.dot(half).max(0.0), view.dot(half).max(0.0));
+
+        // GGX with height-correlated Smith, each without the factors that cancel.
+        let alpha = roughness * roughness;
+        let alpha2 = alpha * alpha;
+        let spread = n_h * n_h * (alpha2 - 1.0) + 1.0;
+        let smith =
+            n_l * (n_v * n_v * (1.0 - alpha2) + alpha2).sqrt() + n_v * (n_l * n_l * (1.0 - alpha2) + alpha2).sqrt();
+        let mirrored = alpha2 / (spread * spread * smith.max(1e-4) * (2.0 * std::f32::consts::PI));
+        let f0 = albedo * metalness + (1.0 - metalness) * 0.04;
+        let grazing = (1.0 - v_h).powi(5);
+        let fresnel = f0 + (1.0 - f0) * grazing;
+        let scattered = albedo * (1.0 - metalness) * (1.0 - fresnel) * (1.0 / std::f32::consts::PI);
+        let lit = (scattered + fresnel * mirrored) * (n_l * std::f32::consts::PI);
+        Rgba::opaque(lit + albedo * (occlusion * ambient) + emission)
     }
 }
 

@@ -4,26 +4,27 @@ mod textures;
 
 use super::Backend;
 use crate::device::Device;
-use crate::scene::{CLEAR_COLOR, HEIGHT, Output, Scene, Shading, WIDTH, gray};
-use anyhow::{Context, Result};
+use crate::scene::{CLEAR_COLOR, Draw, Output, Scene, Shading, Size, State, gray};
+use anyhow::{Context, Result, ensure};
 use std::borrow::Cow;
+use std::num::NonZeroU64;
+use std::ops::Range;
 use wgpu::util::{BufferInitDescriptor, DeviceExt};
 
 const COLOR_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 const DEPTH_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
-const BYTES_PER_ROW: u32 = 4 * WIDTH;
-// Rows then need no padding in the buffer, and one copy takes the whole picture out.
-const _: () = assert!(BYTES_PER_ROW.is_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT));
+/// Where uniforms may begin in a buffer: wgpu's default limit, which both drivers keep.
+const UNIFORM_ALIGNMENT: usize = 256;
 
 pub(super) struct Vulkan {
     version: String,
     device: wgpu::Device,
     queue: wgpu::Queue,
-    pipeline: wgpu::RenderPipeline,
-    bindings: wgpu::BindGroup,
+    pipelines: Vec<(State, wgpu::RenderPipeline)>,
+    /// Each draw's indices, the number of its pipeline, and its uniforms and textures.
+    draws: Vec<(Range<u32>, usize, wgpu::BindGroup)>,
     vertices: wgpu::Buffer,
     indices: wgpu::Buffer,
-    index_count: u32,
     /// None for depth only.
     color: Option<wgpu::Texture>,
     /// What is averaged to `color`, if pixels have several samples.
@@ -31,26 +32,43 @@ pub(super) struct Vulkan {
     depth: wgpu::Texture,
     output: Output,
     readback: wgpu::Buffer,
+    size: Size,
     pixels: Vec<[u8; 4]>,
 }
 
 impl Vulkan {
     pub(super) fn new(scene: &Scene) -> Result<Self> {
         let Device { version, device, queue } = Device::open(wgpu::Features::PRIMITIVE_INDEX)?;
+        let records: Vec<u8> = scene.draws.iter().flat_map(|draw| uniforms(scene, draw)).collect();
         let uniforms = device.create_buffer_init(&BufferInitDescriptor {
             label: None,
-            contents: bytemuck::cast_slice(&uniforms(scene)),
+            contents: &records,
             usage: wgpu::BufferUsages::UNIFORM,
         });
-        let pipeline = pipeline(&device, scene);
         let textures = textures::Textures::new(&device, &queue, scene);
-        let mut entries = vec![wgpu::BindGroupEntry { binding: 0, resource: uniforms.as_entire_binding() }];
-        entries.extend(textures.bindings());
-        let bindings = device.create_bind_group(&wgpu::BindGroupDescriptor {
-            label: None,
-            layout: &pipeline.get_bind_group_layout(0),
-            entries: &entries,
-        });
+        let mut pipelines: Vec<(State, wgpu::RenderPipeline)> = Vec::new();
+        let mut draws = Vec::with_capacity(scene.draws.len());
+        for (number, draw) in scene.draws.iter().enumerate() {
+            let known = pipelines.iter().position(|(state, _)| *state == draw.state);
+            let pipeline = known.unwrap_or_else(|| {
+                pipelines.push((draw.state, pipeline(&device, scene, draw.state)));
+                pipelines.len() - 1
+            });
+            let record = wgpu::BufferBinding {
+                buffer: &uniforms,
+                offset: (number * UNIFORM_ALIGNMENT) as u64,
+                size: NonZeroU64::new(UNIFORM_ALIGNMENT as u64),
+            };
+            let mut entries =
+                vec![wgpu::BindGroupEntry { binding: 0, resource: wgpu::BindingResource::Buffer(record) }];
+            entries.extend(textures.bindings());
+            let bindings = device.create_bind_group(&wgpu::BindGroupDescriptor {
+                label: None,
+                layout: &pipelines[pipeline].1.get_bind_group_layout(0),
+                entries: &entries,
+            });
+            draws.push((draw.indices.clone(), pipeline, bindings));
+        }
         let records: Vec<[[f32; 3]; 3]> =
             scene.vertices.iter().map(|vertex| [vertex.position, vertex.normal, vertex.color]).collect();
         let vertices = device.create_buffer_init(&BufferInitDescriptor {
@@ -63,19 +81,24 @@ impl Vulkan {
             contents: bytemuck::cast_slice(&scene.indices),
             usage: wgpu::BufferUsages::INDEX,
         });
+        let [width, height] = scene.size;
+        // Rows then need no padding in the buffer, and one copy takes the whole picture out.
+        ensure!((4 * width).is_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT), "rows of {width} pixels want padding");
         let readback = device.create_buffer(&wgpu::BufferDescriptor {
             label: None,
-            size: u64::from(BYTES_PER_ROW * HEIGHT),
+            size: u64::from(4 * width * height),
             usage: wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST,
             mapped_at_creation: false,
         });
         Ok(Self {
             version,
-            color: color_format(scene.output).map(|format| texture(&device, format, 1, wgpu::TextureUsages::COPY_SRC)),
+            color: color_format(scene.output)
+                .map(|format| texture(&device, scene.size, format, 1, wgpu::TextureUsages::COPY_SRC)),
             samples: (scene.samples > 1)
-                .then(|| texture(&device, COLOR_FORMAT, scene.samples, wgpu::TextureUsages::empty())),
+                .then(|| texture(&device, scene.size, COLOR_FORMAT, scene.samples, wgpu::TextureUsages::empty())),
             depth: texture(
                 &device,
+                scene.size,
                 DEPTH_FORMAT,
                 scene.samples,
                 if scene.output == Output::Depth {
@@ -87,13 +110,13 @@ impl Vulkan {
             output: scene.output,
             device,
             queue,
-            pipeline,
-            bindings,
+            pipelines,
+            draws,
             vertices,
             indices,
-            index_count: scene.indices.len() as u32,
             readback,
-            pixels: vec![[0; 4]; (WIDTH * HEIGHT) as usize],
+            size: scene.size,
+            pixels: vec![[0; 4]; (width * height) as usize],
         })
     }
 
@@ -129,11 +152,13 @@ impl Vulkan {
             }),
             ..wgpu::RenderPassDescriptor::default()
         });
-        pass.set_pipeline(&self.pipeline);
-        pass.set_bind_group(0, &self.bindings, &[]);
         pass.set_vertex_buffer(0, self.vertices.slice(..));
         pass.set_index_buffer(self.indices.slice(..), wgpu::IndexFormat::Uint32);
-        pass.draw_indexed(0..self.index_count, 0, 0..1);
+        for (indices, pipeline, bindings) in &self.draws {
+            pass.set_pipeline(&self.pipelines[*pipeline].1);
+            pass.set_bind_group(0, bindings, &[]);
+            pass.draw_indexed(indices.clone(), 0, 0..1);
+        }
         drop(pass);
         encoder.copy_texture_to_buffer(
             self.color.as_ref().unwrap_or(&self.depth).as_image_copy(),
@@ -141,11 +166,11 @@ impl Vulkan {
                 buffer: &self.readback,
                 layout: wgpu::TexelCopyBufferLayout {
                     offset: 0,
-                    bytes_per_row: Some(BYTES_PER_ROW),
+                    bytes_per_row: Some(4 * self.size[0]),
                     rows_per_image: None,
                 },
             },
-            picture_size(),
+            picture_size(self.size),
         );
         encoder.finish()
     }
@@ -174,17 +199,22 @@ impl Backend for Vulkan {
     }
 }
 
-/// The uniforms as `vulkan.wgsl` lays them out: a matrix of columns, then three vectors, each with a scalar in its fourth place.
-fn uniforms(scene: &Scene) -> [[f32; 4]; 7] {
-    let rows = scene.clip_from_world;
+/// A draw's uniforms as `vulkan.wgsl` lays them out: a matrix of columns, then three vectors, each with a scalar in its fourth place; and room up to the next draw's.
+fn uniforms(scene: &Scene, draw: &Draw) -> [u8; UNIFORM_ALIGNMENT] {
+    let rows = draw.clip_from_world;
     let [x, y, z, w] = std::array::from_fn(|column| rows.map(|row| row[column]));
     let extend = |[x, y, z]: [f32; 3], w| [x, y, z, w];
-    match scene.shading {
-        Shading::Gouraud | Shading::Translucent | Shading::Floor => [x, y, z, w, [0.0; 4], [0.0; 4], [0.0; 4]],
+    let [eye, light, albedo] = match scene.shading {
+        Shading::Gouraud | Shading::Floor => [[0.0; 4]; 3],
         Shading::BlinnPhong(lit) | Shading::Textured(lit) | Shading::Shadowed(lit) | Shading::FiveTextures(lit) => {
-            [x, y, z, w, extend(lit.eye, lit.ambient), extend(lit.light, lit.specular), extend(lit.albedo, 0.0)]
+            [extend(lit.eye, lit.ambient), extend(lit.light, lit.specular), extend(lit.albedo, 0.0)]
         }
-    }
+    };
+    let mut record = [0; UNIFORM_ALIGNMENT];
+    let numbers = [x, y, z, w, eye, light, albedo];
+    let bytes = bytemuck::cast_slice(&numbers);
+    record[..bytes.len()].copy_from_slice(bytes);
+    record
 }
 
 /// What the picture is stored as.
@@ -196,15 +226,15 @@ fn color_format(output: Output) -> Option<wgpu::TextureFormat> {
     }
 }
 
-fn pipeline(device: &wgpu::Device, scene: &Scene) -> wgpu::RenderPipeline {
-    let (vertex, mut fragment, cull_mode) = match scene.shading {
-        Shading::Gouraud => ("colored_vertex", "colored_fragment", None),
-        Shading::Translucent => ("colored_vertex", "translucent_fragment", None),
-        Shading::BlinnPhong(_) => ("lit_vertex", "lit_fragment", Some(wgpu::Face::Back)),
-        Shading::Textured(_) => ("mapped_vertex", "textured_fragment", Some(wgpu::Face::Back)),
-        Shading::Floor => ("mapped_vertex", "floor_fragment", None),
-        Shading::Shadowed(_) => ("mapped_vertex", "shadowed_fragment", Some(wgpu::Face::Back)),
-        Shading::FiveTextures(_) => ("mapped_vertex", "five_textures_fragment", Some(wgpu::Face::Back)),
+fn pipeline(device: &wgpu::Device, scene: &Scene, state: State) -> wgpu::RenderPipeline {
+    let (vertex, mut fragment) = match scene.shading {
+        Shading::Gouraud if state.blends => ("colored_vertex", "translucent_fragment"),
+        Shading::Gouraud => ("colored_vertex", "colored_fragment"),
+        Shading::BlinnPhong(_) => ("lit_vertex", "lit_fragment"),
+        Shading::Textured(_) => ("mapped_vertex", "textured_fragment"),
+        Shading::Floor => ("mapped_vertex", "floor_fragment"),
+        Shading::Shadowed(_) => ("mapped_vertex", "shadowed_fragment"),
+        Shading::FiveTextures(_) => ("mapped_vertex", "five_textures_fragment"),
     };
     let module = match scene.output {
         Output::Ids => {
@@ -213,8 +243,9 @@ fn pipeline(device: &wgpu::Device, scene: &Scene) -> wgpu::RenderPipeline {
         }
         Output::Color | Output::Depth => device.create_shader_module(wgpu::include_wgsl!("vulkan.wgsl")),
     };
-    let is_translucent = scene.shading == Shading::Translucent;
-    let blend = is_translucent.then_some(wgpu::BlendState::ALPHA_BLENDING);
+    let blend = state.blends.then_some(wgpu::BlendState::ALPHA_BLENDING);
+    let cull_mode = state.culls_back_faces.then_some(wgpu::Face::Back);
+    let compare = if state.passes_equal { wgpu::CompareFunction::LessEqual } else { wgpu::CompareFunction::Less };
     let target = color_format(scene.output).map(|format| wgpu::ColorTargetState {
         format,
         blend,
@@ -236,8 +267,8 @@ fn pipeline(device: &wgpu::Device, scene: &Scene) -> wgpu::RenderPipeline {
         primitive: wgpu::PrimitiveState { cull_mode, ..wgpu::PrimitiveState::default() },
         depth_stencil: Some(wgpu::DepthStencilState {
             format: DEPTH_FORMAT,
-            depth_write_enabled: Some(!is_translucent),
-            depth_compare: Some(wgpu::CompareFunction::Less),
+            depth_write_enabled: Some(!state.blends),
+            depth_compare: Some(compare),
             stencil: wgpu::StencilState::default(),
             bias: wgpu::DepthBiasState::default(),
         }),
@@ -255,13 +286,14 @@ fn pipeline(device: &wgpu::Device, scene: &Scene) -> wgpu::RenderPipeline {
 
 fn texture(
     device: &wgpu::Device,
+    size: Size,
     format: wgpu::TextureFormat,
     samples: u32,
     usage: wgpu::TextureUsages,
 ) -> wgpu::Texture {
     device.create_texture(&wgpu::TextureDescriptor {
         label: None,
-        size: picture_size(),
+        size: picture_size(size),
         mip_level_count: 1,
         sample_count: samples,
         dimension: wgpu::TextureDimension::D2,
@@ -271,6 +303,6 @@ fn texture(
     })
 }
 
-fn picture_size() -> wgpu::Extent3d {
-    wgpu::Extent3d { width: WIDTH, height: HEIGHT, depth_or_array_layers: 1 }
+fn picture_size([width, height]: Size) -> wgpu::Extent3d {
+    wgpu::Extent3d { width, height, depth_or_array_layers: 1 }
 }

@@ -121,11 +121,32 @@ fn shadowed_fragment(in: Mapped) -> @location(0) vec4<f32> {
 
 @fragment
 fn five_textures_fragment(in: Mapped) -> @location(0) vec4<f32> {
-    let bump = textureSample(texture_1, trilinear, in.uv).rgb - 0.5;
-    let lit = light(in.world, in.normal + bump);
     let albedo = textureSample(texture_0, trilinear, in.uv).rgb;
-    let smoothness = textureSample(texture_2, trilinear, in.uv).g;
+    let bump = textureSample(texture_1, trilinear, in.uv).rgb - 0.5;
+    let metal = textureSample(texture_2, trilinear, in.uv);
+    let roughness = metal.g * 0.7 + 0.2;
+    let metalness = metal.b;
     let occlusion = textureSample(texture_3, trilinear, in.uv).r;
-    let emission = textureSample(texture_4, trilinear, in.uv).rgb;
-    return vec4(albedo * (uniforms.ambient * occlusion + lit.x) + lit.y * smoothness + emission * 0.05, 1.0);
+    let emission = textureSample(texture_4, trilinear, in.uv).rgb * 0.05;
+
+    let normal = normalize(in.normal + bump);
+    let view = normalize(uniforms.eye - in.world);
+    let half_way = normalize(uniforms.light + view);
+    let n_l = max(dot(normal, uniforms.light), 0.0);
+    let n_v = max(dot(normal, view), 1e-3);
+    let n_h = max(dot(normal, half_way), 0.0);
+    let v_h = max(dot(view, half_way), 0.0);
+
+    // GGX with height-correlated Smith, each without the factors that cancel.
+    let alpha = roughness * roughness;
+    let alpha2 = alpha * alpha;
+    let spread = n_h * n_h * (alpha2 - 1.0) + 1.0;
+    let smith = n_l * sqrt(n_v * n_v * (1.0 - alpha2) + alpha2) + n_v * sqrt(n_l * n_l * (1.0 - alpha2) + alpha2);
+    let mirrored = alpha2 / (spread * spread * max(smith, 1e-4) * 6.2831853);
+    let f0 = albedo * metalness + (1.0 - metalness) * 0.04;
+    let away = 1.0 - v_h;
+    let fresnel = f0 + (1.0 - f0) * (away * away * away * away * away);
+    let scattered = albedo * (1.0 - metalness) * (1.0 - fresnel) * 0.31830987;
+    let lit = (scattered + fresnel * mirrored) * (n_l * 3.1415927);
+    return vec4(lit + albedo * (occlusion * uniforms.ambient) + emission, 1.0);
 }

@@ -1,6 +1,6 @@
 //! `depth_only`: a city of boxes seen from its border, 201,600 triangles of occluders.
 
-use super::{HEIGHT, Output, Scene, Shading, Vertex, WIDTH, matrix};
+use super::{FULL_HD, Output, Scene, Shading, State, Vertex, matrix};
 
 const STREETS_ACROSS: u32 = 150;
 const STREETS_AWAY: u32 = 112;
@@ -21,16 +21,9 @@ pub(super) fn occluders() -> Scene {
             }
         }
     }
-    Scene {
-        vertices,
-        indices,
-        clip_from_world: matrix::camera_on_z(EYE_DISTANCE, FOV_Y, WIDTH as f32 / HEIGHT as f32, 1.0, 200.0),
-        shading: Shading::Gouraud,
-        output: Output::Depth,
-        textures: Vec::new(),
-        shadow_map: Vec::new(),
-        samples: 1,
-    }
+    let clip_from_world = matrix::camera_on_z(EYE_DISTANCE, FOV_Y, FULL_HD, 1.0, 200.0);
+    let both_sides = State::default();
+    Scene { output: Output::Depth, ..Scene::plain(vertices, indices, clip_from_world, both_sides, Shading::Gouraud) }
 }
 
 fn house(across: u32, away: u32, corner: u32) -> Vertex {

@@ -1,6 +1,6 @@
 //! `fill`: 16 layers, each two triangles over the whole picture, so that coverage, depth and colour writes are all that counts.
 
-use super::{Output, Scene, Shading, Vertex, matrix};
+use super::{Scene, Shading, State, Vertex, matrix};
 
 const LAYERS: u32 = 16;
 /// Depth from one layer to the next.
@@ -18,6 +18,15 @@ pub(super) enum Order {
 }
 
 pub(super) fn layers(order: Order) -> Scene {
+    with_state(order, State::default())
+}
+
+/// The farthest first.
+pub(super) fn translucent_layers() -> Scene {
+    with_state(Order::BackToFront, State { blends: true, ..State::default() })
+}
+
+fn with_state(order: Order, state: State) -> Scene {
     let mut vertices = Vec::new();
     let mut indices = Vec::new();
     for step in 0..LAYERS {
@@ -29,16 +38,7 @@ pub(super) fn layers(order: Order) -> Scene {
         vertices.extend([(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)].map(|(x, y)| corner(layer, x, y)));
         indices.extend([0, 1, 2, 0, 2, 3].map(|corner| first + corner));
     }
-    Scene {
-        vertices,
-        indices,
-        clip_from_world: matrix::IDENTITY,
-        shading: Shading::Gouraud,
-        output: Output::Color,
-        textures: Vec::new(),
-        shadow_map: Vec::new(),
-        samples: 1,
-    }
+    Scene::plain(vertices, indices, matrix::IDENTITY, state, Shading::Gouraud)
 }
 
 fn corner(layer: u32, x: f32, y: f32) -> Vertex {

@@ -1,52 +1,53 @@
-//! `micro`: a sheet of 1000 x 500 jittered quads over the whole picture, a million triangles of 2.07 pixels on average.
+//! `micro`: a sheet of jittered quads over the whole picture, twice as many across as down: 1000 x 500 are a million triangles of 2.07 pixels on average.
 
-use super::{Output, Scene, Shading, Vertex, matrix};
+use super::{Scene, Shading, State, Vertex, matrix};
 
-const COLUMNS: u32 = 1000;
-const ROWS: u32 = 500;
+pub(super) const TRIANGLES: u32 = 1_000_000;
 /// How far a vertex strays from its place in the grid, in cells. Below 0.5 / sqrt(2) no triangle can turn over.
 const JITTER: f32 = 0.3;
 
-pub(super) fn sheet() -> Scene {
-    let mut vertices = Vec::with_capacity(((COLUMNS + 1) * (ROWS + 1)) as usize);
-    for row in 0..=ROWS {
-        for column in 0..=COLUMNS {
-            vertices.push(knot_of_sheet(column, row));
+/// About so many triangles: four times a square number.
+pub(super) fn sheet(triangles: u32) -> Scene {
+    let rows = (triangles / 4).isqrt().max(1);
+    let sheet = Sheet { columns: 2 * rows, rows };
+    let mut vertices = Vec::with_capacity(((sheet.columns + 1) * (rows + 1)) as usize);
+    for row in 0..=rows {
+        for column in 0..=sheet.columns {
+            vertices.push(sheet.knot(column, row));
         }
     }
-    let mut indices = Vec::with_capacity((6 * COLUMNS * ROWS) as usize);
-    for row in 0..ROWS {
-        for column in 0..COLUMNS {
-            let here = row * (COLUMNS + 1) + column;
-            let above = here + COLUMNS + 1;
+    let mut indices = Vec::with_capacity((6 * sheet.columns * rows) as usize);
+    for row in 0..rows {
+        for column in 0..sheet.columns {
+            let here = row * (sheet.columns + 1) + column;
+            let above = here + sheet.columns + 1;
             indices.extend([here, here + 1, above + 1, here, above + 1, above]);
         }
     }
-    Scene {
-        vertices,
-        indices,
-        clip_from_world: matrix::IDENTITY,
-        shading: Shading::Gouraud,
-        output: Output::Color,
-        textures: Vec::new(),
-        shadow_map: Vec::new(),
-        samples: 1,
-    }
+    Scene::plain(vertices, indices, matrix::IDENTITY, State::default(), Shading::Gouraud)
 }
 
-fn knot_of_sheet(column: u32, row: u32) -> Vertex {
-    let noise = hash(row * (COLUMNS + 1) + column);
-    // The border stays where it is, so that the sheet covers every pixel.
-    let inner_x = if column == 0 || column == COLUMNS { 0.0 } else { JITTER };
-    let inner_y = if row == 0 || row == ROWS { 0.0 } else { JITTER };
-    let x = 2.0 * (column as f32 + inner_x * signed(noise)) / COLUMNS as f32 - 1.0;
-    let y = 2.0 * (row as f32 + inner_y * signed(noise >> 11)) / ROWS as f32 - 1.0;
-    let wave = libm::sinf(5.0 * x) * libm::cosf(4.0 * y);
-    let grain = 0.1 * signed(noise >> 22);
-    Vertex {
-        position: [x, y, 0.5 + 0.3 * wave],
-        normal: [0.0, 0.0, 1.0],
-        color: [0.5 + 0.4 * x + grain, 0.5 + 0.4 * y + grain, 0.5 - 0.4 * wave + grain],
+struct Sheet {
+    columns: u32,
+    rows: u32,
+}
+
+impl Sheet {
+    fn knot(&self, column: u32, row: u32) -> Vertex {
+        let Self { columns, rows } = *self;
+        let noise = hash(row * (columns + 1) + column);
+        // The border stays where it is, so that the sheet covers every pixel.
+        let inner_x = if column == 0 || column == columns { 0.0 } else { JITTER };
+        let inner_y = if row == 0 || row == rows { 0.0 } else { JITTER };
+        let x = 2.0 * (column as f32 + inner_x * signed(noise)) / columns as f32 - 1.0;
+        let y = 2.0 * (row as f32 + inner_y * signed(noise >> 11)) / rows as f32 - 1.0;
+        let wave = libm::sinf(5.0 * x) * libm::cosf(4.0 * y);
+        let grain = 0.1 * signed(noise >> 22);
+        Vertex {
+            position: [x, y, 0.5 + 0.3 * wave],
+            normal: [0.0, 0.0, 1.0],
+            color: [0.5 + 0.4 * x + grain, 0.5 + 0.4 * y + grain, 0.5 - 0.4 * wave + grain],
+        }
     }
 }
 

@@ -6,16 +6,22 @@ mod floor;
 mod knot;
 mod matrix;
 mod micro;
+mod slivers;
+mod small_draws;
 mod texture;
 
 use clap::ValueEnum;
+use matrix::Matrix;
 use serde::{Deserialize, Serialize};
+use std::ops::Range;
 pub(crate) use texture::{SIZE as TEXTURE_SIZE, Texture};
 
-/// Width of every scene's picture in pixels.
-pub(crate) const WIDTH: u32 = 1920;
-/// Height of every scene's picture in pixels.
-pub(crate) const HEIGHT: u32 = 1080;
+/// A picture's width and height in pixels.
+pub(crate) type Size = [u32; 2];
+/// What most scenes are drawn at.
+const FULL_HD: Size = [1920, 1080];
+/// A thumbnail.
+const SMALL: Size = [256, 256];
 /// Every picture is cleared to opaque black, which is the same code in any rounding.
 #[cfg(any(feature = "pineda", feature = "vulkan"))]
 pub(crate) const CLEAR_COLOR: [f32; 4] = [0.0, 0.0, 0.0, 1.0];
@@ -49,8 +55,16 @@ pub(crate) enum SceneName {
     Floor,
     /// The knot with nine lookups of a shadow map.
     Shadowed,
-    /// The knot with five trilinear textures.
+    /// The knot, physically based, with five trilinear textures.
     FiveTextures,
+    /// The knot at 256 x 256.
+    Knot256,
+    /// Triangles half a pixel wide on average and as long as the screen.
+    Slivers,
+    /// 2,000 draws of 96 triangles, each with another matrix and other fixed functions than the one before.
+    SmallDraws,
+    /// A knot of 10,000 triangles at 256 x 256, by a fresh process from its start to its end.
+    ColdStart,
 }
 
 /// A vertex as the caller would keep it: 36 bytes, one record.
@@ -67,11 +81,9 @@ pub(crate) struct Vertex {
 /// What a fragment is coloured with.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Shading {
-    /// The interpolated vertex colour; both sides are drawn.
+    /// The interpolated vertex colour, half transparent for draws that blend.
     Gouraud,
-    /// The same, blended half and half with what is there; depth is tested and not written.
-    Translucent,
-    /// Blinn-Phong per pixel; back faces are culled.
+    /// Blinn-Phong per pixel.
     BlinnPhong(BlinnPhong),
     /// The same with the first texture as albedo.
     Textured(BlinnPhong),
@@ -79,7 +91,8 @@ pub(crate) enum Shading {
     Floor,
     /// Blinn-Phong; the light shines where a depth map lets it: nine comparisons, each filtered, around [`shadow_place`].
     Shadowed(BlinnPhong),
-    /// Blinn-Phong by five textures: albedo, normal, smoothness, occlusion, emission.
+    /// Metal and dielectrics by glTF 2.0's appendix B (GGX, height-correlated Smith, Schlick) in one light and a little from all around; albedo, normal, roughness and metalness, occlusion and emission
+    /// are textures.
     FiveTextures(BlinnPhong),
 }
 
@@ -112,13 +125,38 @@ pub(crate) fn gray(depth: f32) -> [u8; 4] {
     [code, code, code, 255]
 }
 
-/// Everything that a backend needs to draw one frame: an indexed triangle list, depth-tested `Less`, front faces counter-clockwise.
+/// What is fixed about a draw's fragments.
+#[derive(Clone, Copy, Debug, Default, Eq, PartialEq)]
+pub(crate) struct State {
+    pub(crate) culls_back_faces: bool,
+    /// Half and half with what is there; depth is tested and not written.
+    pub(crate) blends: bool,
+    /// Depth passes where it is equal, too.
+    pub(crate) passes_equal: bool,
+}
+
+impl State {
+    /// One side of opaque surfaces.
+    const FRONT: Self = Self { culls_back_faces: true, blends: false, passes_equal: false };
+}
+
+/// One draw.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Draw {
+    /// Which of the scene's indices.
+    pub(crate) indices: Range<u32>,
+    /// Rows of the matrix that takes (x, y, z, 1) to clip space: x right, y up, 0 <= z <= w.
+    pub(crate) clip_from_world: Matrix,
+    pub(crate) state: State,
+}
+
+/// Everything that a backend needs to draw one frame: indexed triangles, depth-tested `Less`, front faces counter-clockwise.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Scene {
+    pub(crate) size: Size,
     pub(crate) vertices: Vec<Vertex>,
     pub(crate) indices: Vec<u32>,
-    /// Rows of the matrix that takes (x, y, z, 1) to clip space: x right, y up, 0 <= z <= w.
-    pub(crate) clip_from_world: [[f32; 4]; 4],
+    pub(crate) draws: Vec<Draw>,
     pub(crate) shading: Shading,
     pub(crate) output: Output,
     pub(crate) textures: Vec<Texture>,
@@ -129,21 +167,61 @@ pub(crate) struct Scene {
 }
 
 impl Scene {
+    /// One draw of everything, at full size, without textures.
+    fn plain(
+        vertices: Vec<Vertex>,
+        indices: Vec<u32>,
+        clip_from_world: Matrix,
+        state: State,
+        shading: Shading,
+    ) -> Self {
+        Self {
+            size: FULL_HD,
+            draws: vec![Draw { indices: 0..indices.len() as u32, clip_from_world, state }],
+            vertices,
+            indices,
+            shading,
+            output: Output::Color,
+            textures: Vec::new(),
+            shadow_map: Vec::new(),
+            samples: 1,
+        }
+    }
+
+    /// [`SceneName::Micro`] with about so many triangles.
+    pub(crate) fn of_triangles(triangles: u32) -> Self {
+        micro::sheet(triangles)
+    }
+
+    /// [`SceneName::Medium`], square, of so many pixels each way.
+    pub(crate) fn of_pixels(side: u32) -> Self {
+        knot::lit_knot([side, side], knot::FINE)
+    }
+
+    /// The memory of vertices and indices.
+    pub(crate) fn mib(&self) -> f64 {
+        (size_of_val(&self.vertices[..]) + size_of_val(&self.indices[..])) as f64 / f64::from(1 << 20)
+    }
+
     /// Builds the scene; always the same bits, because the only transcendental functions are `libm`'s.
     pub(crate) fn new(name: SceneName) -> Self {
         match name {
             SceneName::FillFrontToBack => fill::layers(fill::Order::FrontToBack),
             SceneName::FillBackToFront => fill::layers(fill::Order::BackToFront),
-            SceneName::Micro => micro::sheet(),
-            SceneName::Medium => knot::lit_knot(),
-            SceneName::Msaa => Self { samples: 4, ..knot::lit_knot() },
-            SceneName::Blend => Self { shading: Shading::Translucent, ..fill::layers(fill::Order::BackToFront) },
+            SceneName::Micro => micro::sheet(micro::TRIANGLES),
+            SceneName::Medium => knot::lit_knot(FULL_HD, knot::FINE),
+            SceneName::Msaa => Self { samples: 4, ..knot::lit_knot(FULL_HD, knot::FINE) },
+            SceneName::Blend => fill::translucent_layers(),
             SceneName::DepthOnly => city::occluders(),
-            SceneName::Ids => Self { output: Output::Ids, ..knot::lit_knot() },
+            SceneName::Ids => Self { output: Output::Ids, ..knot::lit_knot(FULL_HD, knot::FINE) },
             SceneName::Textured => knot::textured_knot(1, Shading::Textured),
             SceneName::Floor => floor::floor(),
             SceneName::Shadowed => Self { shadow_map: texture::waves(), ..knot::textured_knot(0, Shading::Shadowed) },
             SceneName::FiveTextures => knot::textured_knot(5, Shading::FiveTextures),
+            SceneName::Knot256 => knot::lit_knot(SMALL, knot::FINE),
+            SceneName::Slivers => slivers::needles(),
+            SceneName::SmallDraws => small_draws::balls(),
+            SceneName::ColdStart => knot::lit_knot(SMALL, knot::COARSE),
         }
     }
 }
@@ -164,6 +242,10 @@ impl SceneName {
             Self::Floor => "floor",
             Self::Shadowed => "shadowed",
             Self::FiveTextures => "five_textures",
+            Self::Knot256 => "knot256",
+            Self::Slivers => "slivers",
+            Self::SmallDraws => "small_draws",
+            Self::ColdStart => "cold_start",
         }
     }
 }
@@ -187,10 +269,16 @@ mod tests {
             (SceneName::Floor, 2),
             (SceneName::Shadowed, 70_000),
             (SceneName::FiveTextures, 70_000),
+            (SceneName::Knot256, 70_000),
+            (SceneName::Slivers, 4_000),
+            (SceneName::SmallDraws, 192_000),
+            (SceneName::ColdStart, 10_000),
         ] {
             let scene = Scene::new(name);
             assert_eq!(scene.indices.len(), 3 * triangles, "{name:?}");
             assert!(scene.indices.iter().all(|&index| (index as usize) < scene.vertices.len()), "{name:?}");
+            let drawn: u32 = scene.draws.iter().map(|draw| draw.indices.end - draw.indices.start).sum();
+            assert_eq!(drawn as usize, 3 * triangles, "{name:?}");
         }
     }
 
