@@ -5,6 +5,7 @@ mod failure;
 mod heat;
 mod info;
 mod output;
+mod panorama;
 mod picture;
 mod raster;
 mod render;

@@ -5,6 +5,9 @@ use crate::note::counted;
 use crate::vector::{add, area_vector_x2, unit_or_zero, widen};
 use crate::{Normals, Object, Vertex};
 
+/// Of what is said of a model.
+const MOST_NOTES: usize = 32;
+
 /// Drops triangles, lines and points with a NaN or infinite corner, and objects that are empty then; replaces unusable
 /// normals, colours and texture coordinates; and says so.
 pub(crate) fn finish(mut loaded: Loaded) -> Loaded {
@@ -32,6 +35,12 @@ pub(crate) fn finish(mut loaded: Loaded) -> Loaded {
     note(normals, "normal", "normals", "without a direction replaced by the faces'");
     note(colors, "vertex colour", "vertex colours", "replaced by white: infinite or not a number");
     note(uvs, "texture coordinate", "texture coordinates", "replaced by 0: infinite or not a number");
+    // A file can be wrong in any number of places, of which nobody reads more than some.
+    let more = loaded.notes.len().saturating_sub(MOST_NOTES);
+    if more > 0 {
+        loaded.notes.truncate(MOST_NOTES);
+        loaded.notes.push(format!("and {}", counted(more, "more like these", "more like these")));
+    }
     loaded
 }
 

@@ -45,6 +45,7 @@ use crate::image::ImageStore;
 use crate::limits::Budget;
 use crate::model::{Animation, Contents, ResolvedPose};
 use crate::note::counted;
+use crate::resolver::SideFiles;
 use crate::text::shown;
 use crate::{Error, Loaded, Material, Object, Resolver, Scene};
 use accessor::Accessors;
@@ -79,9 +80,10 @@ impl Document {
             bytes.drain(..range.start);
             bytes
         });
-        let buffers = Buffers::read(&mut root, binary, files, &mut budget);
+        let mut files = SideFiles::new(files);
+        let buffers = Buffers::read(&mut root, binary, &mut files, &mut budget);
         let draco = DracoMeshes::read(&root, &buffers, &mut budget);
-        let images = images::read(&mut root, files, &mut budget);
+        let images = images::read(&mut root, &mut files, &mut budget);
         Ok(Self { root, buffers, draco, images, budget })
     }
 

@@ -11,16 +11,15 @@ mod store;
 pub(crate) use store::{Encoded, ImageStore};
 
 use std::io;
+use std::sync::Arc;
 
-use crate::Resolver;
 use crate::limits::Budget;
+use crate::resolver::SideFiles;
 
 /// The bytes of an image's file, or why not, as the end of a sentence that begins with its name.
-pub(crate) fn read_file(path: &str, files: &dyn Resolver, budget: &mut Budget) -> Result<Vec<u8>, String> {
-    let bytes = files.read(path, budget.bytes_left()).map_err(|error| match error.kind() {
+pub(crate) fn read_file(path: &str, files: &mut SideFiles<'_>, budget: &mut Budget) -> Result<Arc<Vec<u8>>, String> {
+    files.read(path, budget).map_err(|error| match error.kind() {
         io::ErrorKind::NotFound => "not found".to_owned(),
         _ => format!("cannot be read: {error}"),
-    })?;
-    budget.add_bytes(bytes.len() as u64).map_err(|error| error.to_string())?;
-    Ok(bytes)
+    })
 }

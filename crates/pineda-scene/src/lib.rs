@@ -44,8 +44,7 @@
 //! | PLY | ASCII and binary of both byte orders, polygons, strips, clouds of points, normals, colours, texture coordinates of vertices and of faces' corners |
 //! | STL | ASCII and binary, several solids, colours of VisCAM and Magics |
 //!
-//! 3MF is not read: the crates that read it (`lib3mf`, `lib3mf-core`, `threemf2`) inflate a file's parts into memory
-//! however large they become. KHR_texture_basisu is not: there is no decoder yet that is Rust alone and kept well.
+//! KHR_texture_basisu is not read: there is no decoder yet that is Rust alone and kept well.
 //!
 //! Files are not trusted. A damaged or hostile one gives an [`Error`] that says what is wrong, where, and what to do;
 //! never a panic. Memory and time are bounded by [`Limits`], and every count in a file is checked against the bytes
@@ -96,6 +95,6 @@ pub use material::{
 pub use model::{Animation, Contents, Model};
 pub use normals::{flat_normals, smooth_normals};
 pub use pose::{Pose, Select};
-pub use resolver::{Folder, NoFiles, Resolver};
+pub use resolver::{Folder, NoFiles, Resolver, read_file};
 pub use scene::{Normals, Object, Scene, Vertex};
 pub use texture::{Filter, Image, Sampler, Texels, Texture, TextureRef, Wrap};

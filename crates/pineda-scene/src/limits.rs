@@ -13,7 +13,8 @@ pub struct Limits {
     /// Triangles, lines and points of the scene. Default 2^27 (1.5 GiB); a quarter of that where pointers have 32 bits.
     pub triangles: u64,
     /// Vertices, and triangles, that the file's bytes do not hold one by one: meshes that several nodes draw, accessors
-    /// without data. A scene may hold this many more of either than the files have bytes. Default 2^23.
+    /// without data. A scene may hold this many more of either than the files have bytes. Default 2^21: a renderer that
+    /// gives each triangle corners of its own takes some 280 bytes for it.
     pub expanded: u64,
     /// Objects of the scene. Default 2^19.
     pub objects: u64,
@@ -25,7 +26,7 @@ pub struct Limits {
     /// where pointers have 32 bits. The images beyond are left out.
     pub pixels: u64,
     /// Pixels that images may have beyond 32 for each byte of theirs: a file of a few bytes can hold a picture of any
-    /// size. Default 3 * 2^25 (384 MiB).
+    /// size. Default 2^25: with smaller levels, and once as colours and once as numbers, some 20 bytes each.
     pub expanded_pixels: u64,
 }
 
@@ -33,6 +34,9 @@ impl Limits {
     /// Elements of any one list in glTF's JSON. The parser enforces it, so it is the same for everybody: an empty JSON
     /// object takes three bytes in the file but some two hundred in memory.
     pub const JSON_LIST: usize = 1 << 20;
+
+    /// Bytes in memory of all lists in glTF's JSON, beyond 8 for each byte of JSON. The parser enforces it, too.
+    pub const JSON_BYTES: usize = 1 << 27;
 }
 
 impl Default for Limits {
@@ -42,12 +46,12 @@ impl Default for Limits {
             file_bytes: 2 << 30,
             vertices: quarters << 24,
             triangles: quarters << 25,
-            expanded: 1 << 23,
+            expanded: 1 << 21,
             objects: 1 << 19,
             nesting: 1024,
             image_pixels: 1 << 26,
             pixels: quarters << 27,
-            expanded_pixels: 3 << 25,
+            expanded_pixels: 1 << 25,
         }
     }
 }
@@ -90,6 +94,11 @@ impl Budget {
 
     pub(crate) fn nesting(&self) -> u64 {
         self.limits.nesting
+    }
+
+    /// Bytes of all files that have been read.
+    pub(crate) fn bytes(&self) -> u64 {
+        self.bytes
     }
 
     /// Bytes that side files may still have.

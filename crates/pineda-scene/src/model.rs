@@ -72,6 +72,14 @@ impl Model {
     /// # Errors
     /// [`Error::File`] with the path and what is wrong.
     pub fn open(path: impl AsRef<Path>, limits: &Limits) -> Result<Self, Error> {
+        Self::open_as(path, None, limits)
+    }
+
+    /// [`Model::open`] of a file that is in this format, whatever its extension and its first bytes say.
+    ///
+    /// # Errors
+    /// As [`Model::open`].
+    pub fn open_as(path: impl AsRef<Path>, format: Option<Format>, limits: &Limits) -> Result<Self, Error> {
         let path = path.as_ref();
         let read = || {
             let bytes = read_file(path, limits.file_bytes).map_err(|error| match error.kind() {
@@ -83,7 +91,7 @@ impl Model {
                 },
                 _ => Error::Read { error },
             })?;
-            let format = Format::from_extension(path).or_else(|| Format::from_content(&bytes));
+            let format = format.or_else(|| Format::from_extension(path)).or_else(|| Format::from_content(&bytes));
             let format = format.ok_or(Error::UnknownFormat)?;
             let folder = Folder(path.parent().unwrap_or(Path::new("")).to_owned());
             Self::read(Cow::Owned(bytes), format, &folder, limits)
@@ -102,6 +110,10 @@ impl Model {
 
     fn read(bytes: Cow<'_, [u8]>, format: Format, files: &dyn Resolver, limits: &Limits) -> Result<Self, Error> {
         let mut budget = Budget::new(limits, bytes.len())?;
+        // A binary STL file begins with bytes of any kind.
+        if format != Format::Stl && is_utf16(&bytes) {
+            return Err(Error::text(format, 1, "the file is text in UTF-16: save it in UTF-8"));
+        }
         let still = match format {
             Format::Obj => obj::read(&bytes, files, &mut budget)?,
             Format::Stl => stl::read(&bytes, &mut budget)?,
@@ -173,6 +185,11 @@ impl Contents {
         let Pose { time, without_textures, .. } = *pose;
         Ok(ResolvedPose { scene: scene.unwrap_or(self.default_scene), animation, time, variant, without_textures })
     }
+}
+
+/// By the mark that such text begins with, in either byte order.
+fn is_utf16(bytes: &[u8]) -> bool {
+    bytes.starts_with(b"\xff\xfe") || bytes.starts_with(b"\xfe\xff")
 }
 
 fn drawable(loaded: Loaded) -> Result<Loaded, Error> {

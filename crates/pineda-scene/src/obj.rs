@@ -8,10 +8,11 @@ mod maps;
 mod mtl;
 mod parse;
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
+use crate::image::read_file;
 use crate::limits::Budget;
-use crate::resolver::path_inside;
+use crate::resolver::{SideFiles, path_inside};
 use crate::{Error, Loaded, Resolver};
 use mtl::Library;
 
@@ -22,9 +23,17 @@ pub(crate) fn read(bytes: &[u8], files: &dyn Resolver, budget: &mut Budget) -> R
     let file = parse::parse(bytes, budget)?;
     let mut notes = Vec::new();
     let mut library = Library::default();
+    let mut side_files = SideFiles::new(files);
+    // A library is read once, however often it is named.
+    let mut known = HashSet::new();
     for names in &file.libraries {
-        for name in library_names(names, files, budget) {
-            match read_library(&name, files, budget) {
+        for name in library_names(names, &mut side_files, budget) {
+            let path = path_inside(&name);
+            if !known.insert(path.clone().unwrap_or_else(|| name.clone())) {
+                continue;
+            }
+            let outside = || "is outside the model's folder, so it is not read".to_owned();
+            match path.ok_or_else(outside).and_then(|path| read_file(&path, &mut side_files, budget)) {
                 Ok(bytes) => library.parse(&name, &bytes),
                 Err(reason) => notes.push(format!("material library '{name}' {reason}")),
             }
@@ -33,19 +42,9 @@ pub(crate) fn read(bytes: &[u8], files: &dyn Resolver, budget: &mut Budget) -> R
     build::build(file, library, notes, files, budget)
 }
 
-fn read_library(name: &str, files: &dyn Resolver, budget: &mut Budget) -> Result<Vec<u8>, String> {
-    let path = path_inside(name).ok_or("is outside the model's folder, so it is not read")?;
-    let bytes = files.read(&path, budget.bytes_left()).map_err(|error| match error.kind() {
-        std::io::ErrorKind::NotFound => "not found".to_owned(),
-        _ => format!("cannot be read: {error}"),
-    })?;
-    budget.add_bytes(bytes.len() as u64).map_err(|error| error.to_string())?;
-    Ok(bytes)
-}
-
 /// `mtllib` takes several names, but exporters also write one name with spaces in it: that one, if it is there.
-fn library_names(names: &str, files: &dyn Resolver, budget: &Budget) -> Vec<String> {
-    let is_there = |name: &str| path_inside(name).is_some_and(|path| files.read(&path, budget.bytes_left()).is_ok());
+fn library_names(names: &str, files: &mut SideFiles<'_>, budget: &mut Budget) -> Vec<String> {
+    let mut is_there = |name: &str| path_inside(name).is_some_and(|path| files.read(&path, budget).is_ok());
     if !names.contains(char::is_whitespace) || is_there(names) {
         vec![names.to_owned()]
     } else {

@@ -15,7 +15,7 @@ use std::collections::HashMap;
 use crate::image::{Encoded, ImageStore, read_file};
 use crate::limits::Budget;
 use crate::polygon::{self, Polygons};
-use crate::resolver::path_inside;
+use crate::resolver::{SideFiles, path_inside};
 use crate::{Error, Format, Loaded, Material, Normals, Object, Resolver, Sampler, Scene, Texture, TextureRef, Vertex};
 use header::{Element, Encoding, Header};
 use source::{Ascii, Binary, Source};
@@ -181,10 +181,12 @@ fn split(
 /// Gives the only material an image; the error is a line.
 fn texture(name: &str, scene: &mut Scene, files: &dyn Resolver, budget: &mut Budget) -> Result<(), String> {
     let encoded = match path_inside(name) {
-        Some(path) => read_file(&path, files, budget).map_or_else(Encoded::Missing, Encoded::Bytes),
+        Some(path) => {
+            read_file(&path, &mut SideFiles::new(files), budget).map_or_else(Encoded::Missing, Encoded::Bytes)
+        }
         None => Encoded::Missing("is outside the model's folder, so it is not read".to_owned()),
     };
-    let store = ImageStore::new(vec![(name.into(), encoded)], budget.limits());
+    let store = ImageStore::new(vec![(name.into(), encoded)], budget);
     for image in store.get(&[0], |_| Err(String::new())) {
         scene.images.push(image?);
         scene.textures.push(Texture { name: "".into(), image: 0, sampler: Sampler::default() });

@@ -1,8 +1,12 @@
 //! Files that a model names: buffers of a glTF file, material libraries of an OBJ file.
 
+use std::collections::HashMap;
 use std::fs::File;
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use crate::limits::Budget;
 
 /// Where the files that a model names come from.
 ///
@@ -53,9 +57,39 @@ impl Resolver for Folder {
     }
 }
 
+/// The files that a model names. Each is read once, however often it is named: a short list of names is not to become
+/// any number of copies.
+pub(crate) struct SideFiles<'a> {
+    files: &'a dyn Resolver,
+    known: HashMap<String, Arc<Vec<u8>>>,
+}
+
+impl<'a> SideFiles<'a> {
+    pub(crate) fn new(files: &'a dyn Resolver) -> Self {
+        Self { files, known: HashMap::new() }
+    }
+
+    /// `path` as [`Resolver::read`] takes it.
+    pub(crate) fn read(&mut self, path: &str, budget: &mut Budget) -> io::Result<Arc<Vec<u8>>> {
+        if let Some(known) = self.known.get(path) {
+            return Ok(Arc::clone(known));
+        }
+        let bytes = self.files.read(path, budget.bytes_left())?;
+        let too_large = |error: crate::Error| io::Error::new(io::ErrorKind::FileTooLarge, error.to_string());
+        budget.add_bytes(bytes.len() as u64).map_err(too_large)?;
+        let bytes = Arc::new(bytes);
+        self.known.insert(path.to_owned(), Arc::clone(&bytes));
+        Ok(bytes)
+    }
+}
+
 /// A regular file's bytes, at most `max_bytes`.
-pub(crate) fn read_file(path: &Path, max_bytes: u64) -> io::Result<Vec<u8>> {
-    // A pipe or a device could block for ever or never end, and opening some of them has effects: ask before opening.
+///
+/// # Errors
+/// Those of the file system; [`io::ErrorKind::FileTooLarge`]; and whatever is no regular file (a folder, a pipe, a
+/// device), because such a one could block for ever or never end.
+pub fn read_file(path: &Path, max_bytes: u64) -> io::Result<Vec<u8>> {
+    // Opening some devices has effects: ask before opening.
     let metadata = std::fs::metadata(path)?;
     if metadata.is_dir() {
         return Err(io::ErrorKind::IsADirectory.into());
@@ -64,7 +98,7 @@ pub(crate) fn read_file(path: &Path, max_bytes: u64) -> io::Result<Vec<u8>> {
         return Err(io::Error::new(io::ErrorKind::InvalidInput, "not a regular file"));
     }
     let too_large = |bytes: u64| {
-        let message = format!("{bytes} bytes or more, where {max_bytes} are allowed (Limits::file_bytes)");
+        let message = format!("{bytes} bytes or more, where {max_bytes} are allowed");
         io::Error::new(io::ErrorKind::FileTooLarge, message)
     };
     if metadata.len() > max_bytes {

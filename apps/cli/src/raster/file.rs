@@ -3,6 +3,7 @@
 use crate::failure::Failure;
 use crate::values::Size;
 use pineda::{Cull, FrontFace, Space};
+use pineda_scene::read_file;
 use serde::Deserialize;
 use std::io;
 use std::path::Path;
@@ -27,6 +28,9 @@ pub(crate) struct Vertex {
     pub(crate) position: [f32; 4],
     pub(crate) color: [f32; 4],
 }
+
+/// A file has at most so many bytes.
+const MOST_BYTES: u64 = 1 << 30;
 
 /// More triangles than `--show id` has numbers for.
 const MAX_TRIANGLES: usize = (1 << 24) - 1;
@@ -59,7 +63,7 @@ pub(crate) fn read(path: &Path) -> Result<Drawing, Failure> {
             .at(path.display())
             .help("without a file, `pineda raster -o OUT.png` draws tutorial 1's triangle")
     };
-    let text = std::fs::read(path).map_err(unreadable)?;
+    let text = read_file(path, MOST_BYTES).map_err(unreadable)?;
     parse(&text).map_err(|failure| match failure {
         Wrong::Json(error) => {
             let (line, column) = (error.line(), error.column());
@@ -76,7 +80,7 @@ pub(crate) fn read(path: &Path) -> Result<Drawing, Failure> {
 
 /// Why a file is no drawing.
 #[derive(Debug)]
-enum Wrong {
+pub(crate) enum Wrong {
     /// It is not JSON, or not of the right shape.
     Json(serde_json::Error),
     /// It is of the right shape, but a value in it is out of range.
@@ -169,7 +173,13 @@ impl<const LEAST: usize, const MOST: usize> TryFrom<Vec<f32>> for Row<LEAST, MOS
     }
 }
 
-fn parse(text: &[u8]) -> Result<Drawing, Wrong> {
+/// A drawing, checked, from the bytes of its file.
+pub(crate) fn parse(text: &[u8]) -> Result<Drawing, Wrong> {
+    if text.starts_with(b"\xff\xfe") || text.starts_with(b"\xfe\xff") {
+        return wrong("line 1", "the file is text in UTF-16: save it in UTF-8");
+    }
+    // Some editors begin with a mark.
+    let text = text.strip_prefix(b"\xef\xbb\xbf").unwrap_or(text);
     let file: File = serde_json::from_slice(text).map_err(Wrong::Json)?;
     let count = file.vertices.len();
     let has_depth = file.vertices.iter().any(|v| v.depth.is_some() || v.position.0.len() > 2);

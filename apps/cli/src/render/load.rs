@@ -2,7 +2,7 @@
 
 use crate::failure::Failure;
 use crate::values::ModelFormat;
-use pineda_scene::{Error, Folder, Format, Limits, Loaded, Model, NoFiles, Pose};
+use pineda_scene::{Error, Format, Limits, Loaded, Model, NoFiles, Pose};
 use std::io::Read;
 use std::path::Path;
 
@@ -17,16 +17,7 @@ pub(crate) fn model(path: &Path, format: Option<ModelFormat>) -> Result<Model, F
     if is_standard_input(path) {
         return standard_input(format, &limits);
     }
-    let opened = match format {
-        None => Model::open(path, &limits),
-        Some(format) => {
-            let folder = Folder(path.parent().unwrap_or(Path::new("")).to_owned());
-            let bytes = std::fs::read(path)
-                .map_err(|error| Failure::data(format_args!("the model cannot be read: {error}")).at(path.display()))?;
-            Model::from_bytes(&bytes, format.into(), &folder, &limits)
-        }
-    };
-    opened.map_err(|error| failure(error, path))
+    Model::open_as(path, format.map(Format::from), &limits).map_err(|error| failure(error, path))
 }
 
 /// The model's scene in a pose, and what was left out of it.
@@ -37,7 +28,8 @@ pub(crate) fn posed(path: &Path, format: Option<ModelFormat>, pose: &Pose) -> Re
 fn standard_input(format: Option<ModelFormat>, limits: &Limits) -> Result<Model, Failure> {
     let name = Path::new("standard input");
     let mut bytes = Vec::new();
-    let read = std::io::stdin().lock().take(limits.file_bytes).read_to_end(&mut bytes);
+    // One more than may be: so that too much is found out, not cut off.
+    let read = std::io::stdin().lock().take(limits.file_bytes + 1).read_to_end(&mut bytes);
     read.map_err(|error| Failure::data(format_args!("the model cannot be read: {error}")).at(name.display()))?;
     let format = format.map(Format::from).or_else(|| Format::from_content(&bytes)).ok_or_else(|| {
         Failure::data("what comes from standard input is of no known format")

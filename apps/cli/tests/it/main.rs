@@ -8,6 +8,7 @@ mod formats;
 mod global;
 mod info;
 mod looks;
+mod malformed;
 mod models;
 mod outputs;
 mod raster;

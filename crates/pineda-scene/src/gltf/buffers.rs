@@ -1,6 +1,7 @@
 //! The bytes of buffers: from files, data URIs or the GLB's binary chunk.
 
 use std::collections::HashMap;
+use std::sync::Arc;
 
 use base64::Engine;
 use base64::alphabet::STANDARD;
@@ -8,22 +9,27 @@ use base64::engine::{DecodePaddingMode, GeneralPurpose, GeneralPurposeConfig};
 
 use super::meshopt;
 use super::schema::{Meshopt, Root, Whole};
+use crate::Error;
 use crate::limits::Budget;
-use crate::resolver::{path_inside, percent_decode, percent_decode_bytes};
+use crate::resolver::{SideFiles, path_inside, percent_decode, percent_decode_bytes};
 use crate::text::shown;
-use crate::{Error, Resolver};
 
 /// Each buffer's bytes, or why they are not there.
 #[derive(Debug, Default)]
 pub(super) struct Buffers {
-    loaded: Vec<Option<Result<Vec<u8>, Error>>>,
+    loaded: Vec<Option<Result<Arc<Vec<u8>>, Error>>>,
     /// The bytes of those views that are compressed.
     decoded: HashMap<usize, Result<Vec<u8>, Error>>,
 }
 
 impl Buffers {
     /// Reads those buffers that buffer views name. A buffer that cannot be read is an error for who needs it.
-    pub(super) fn read(root: &mut Root, binary: Option<Vec<u8>>, files: &dyn Resolver, budget: &mut Budget) -> Self {
+    pub(super) fn read(
+        root: &mut Root,
+        binary: Option<Vec<u8>>,
+        files: &mut SideFiles<'_>,
+        budget: &mut Budget,
+    ) -> Self {
         let mut is_named = vec![false; root.buffers.len()];
         for view in root.buffer_views.iter() {
             // Of a view that is compressed, the buffer of its own is a copy for others.
@@ -40,7 +46,7 @@ impl Buffers {
             loaded.push(is_named.then(|| match uri {
                 Some(uri) => load(number, &uri, files, budget),
                 None => match binary.take() {
-                    Some(binary) if number == 0 => Ok(binary),
+                    Some(binary) if number == 0 => Ok(Arc::new(binary)),
                     _ => Err(wrong(
                         number,
                         "it has neither a URI nor a GLB's binary chunk: its bytes are not in the file".to_owned(),
@@ -99,23 +105,20 @@ impl Buffers {
 }
 
 /// What is decompressed counts like an accessor without data, whose elements are vectors mostly.
-const BYTES_PER_ELEMENT: u64 = 12;
+pub(super) const BYTES_PER_ELEMENT: u64 = 12;
 
 fn wrong(number: usize, message: String) -> Error {
     Error::gltf(format!("buffer {number}"), message)
 }
 
-fn load(number: usize, uri: &str, files: &dyn Resolver, budget: &mut Budget) -> Result<Vec<u8>, Error> {
+fn load(number: usize, uri: &str, files: &mut SideFiles<'_>, budget: &mut Budget) -> Result<Arc<Vec<u8>>, Error> {
     if let Some(data) = data_uri(uri) {
-        return data.map_err(|message| wrong(number, message));
+        return data.map(Arc::new).map_err(|message| wrong(number, message));
     }
     let Some(path) = percent_decode(uri).as_deref().and_then(path_inside) else {
         return Err(Error::OutsideFolder { uri: shown(uri.as_bytes()) });
     };
-    let side_file = |error| Error::SideFile { uri: shown(uri.as_bytes()), error };
-    let bytes = files.read(&path, budget.bytes_left()).map_err(side_file)?;
-    budget.add_bytes(bytes.len() as u64)?;
-    Ok(bytes)
+    files.read(&path, budget).map_err(|error| Error::SideFile { uri: shown(uri.as_bytes()), error })
 }
 
 /// The same error once more; system errors cannot be cloned.

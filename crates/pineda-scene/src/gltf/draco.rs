@@ -9,7 +9,7 @@ use std::collections::HashMap;
 use draco_core::{DecodeLimits, DecoderBuffer, MeshDecoder};
 
 use super::accessor::Shape;
-use super::buffers::Buffers;
+use super::buffers::{BYTES_PER_ELEMENT, Buffers};
 use super::schema::{Primitive, Root, Semantic};
 use crate::Error;
 use crate::limits::Budget;
@@ -65,6 +65,8 @@ fn decode(
     let wrong = |message: String| Error::gltf(format!("{place}, KHR_draco_mesh_compression"), message);
     let Some(draco) = &primitive.extensions.draco else { return Err(wrong("it is not there".to_owned())) };
     let bytes = buffers.view(root, draco.buffer_view)?;
+    // Primitives may share their stream, which is decoded again for each.
+    budget.elements(bytes.len() as u64 / BYTES_PER_ELEMENT)?;
     let most = budget.limits().expanded / 4 + 32 * bytes.len() as u64;
     let limits = DecodeLimits::default().with_max_points(most).with_max_faces(most);
     let mut buffer = DecoderBuffer::new(bytes).with_limits(limits.with_max_decoded_bytes(64 * most));

@@ -7,13 +7,13 @@ use super::buffers::{Buffers, data_uri};
 use super::schema::{Root, Sampler, Whole};
 use crate::image::{Encoded, ImageStore};
 use crate::limits::Budget;
-use crate::resolver::{path_inside, percent_decode};
+use crate::resolver::{SideFiles, path_inside, percent_decode};
 use crate::text::shown;
-use crate::{Filter, Image, Resolver, Texture, Wrap};
+use crate::{Filter, Image, Texture, Wrap};
 
 /// Reads the files of those images that any primitive's material shows. None of them is decoded yet, and one that is
 /// not there is a note for who shows it.
-pub(super) fn read(root: &mut Root, files: &dyn Resolver, budget: &mut Budget) -> ImageStore {
+pub(super) fn read(root: &mut Root, files: &mut SideFiles<'_>, budget: &mut Budget) -> ImageStore {
     let is_shown = shown_images(root);
     let mut entries = Vec::with_capacity(root.images.len());
     for (number, (image, is_shown)) in root.images.iter_mut().zip(is_shown).enumerate() {
@@ -33,7 +33,7 @@ pub(super) fn read(root: &mut Root, files: &dyn Resolver, budget: &mut Budget) -
         };
         entries.push((name.as_str().into(), encoded));
     }
-    ImageStore::new(entries, budget.limits())
+    ImageStore::new(entries, budget)
 }
 
 fn shown_images(root: &Root) -> Vec<bool> {
@@ -57,9 +57,9 @@ fn is_data_uri(uri: &str) -> bool {
     uri.get(..5).is_some_and(|scheme| scheme.eq_ignore_ascii_case("data:"))
 }
 
-fn load(uri: &str, files: &dyn Resolver, budget: &mut Budget) -> Result<Vec<u8>, String> {
+fn load(uri: &str, files: &mut SideFiles<'_>, budget: &mut Budget) -> Result<Arc<Vec<u8>>, String> {
     if let Some(data) = data_uri(uri) {
-        return data.map_err(|message| format!("cannot be read: {message}"));
+        return data.map(Arc::new).map_err(|message| format!("cannot be read: {message}"));
     }
     let path = percent_decode(uri).as_deref().and_then(path_inside);
     let path = path.ok_or("is outside the model's folder, so it is not read")?;

@@ -398,6 +398,7 @@ pub(super) fn parse(json: &[u8]) -> Result<Root, Error> {
         column: error.column(),
         message: format!("{}: is it glTF 2.0, and complete?", without_place(error)),
     };
+    json::allow_lists(json.len());
     let root: Root = serde_json::from_slice(json).map_err(|error| {
         // glTF 1.0 fails at its first list, which says nothing to anybody.
         old_version(json).unwrap_or_else(|| as_error(&error))

@@ -4,6 +4,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use super::decode::{Header, Kind, decode, header};
+use crate::limits::Budget;
 use crate::text::shown;
 use crate::{Image, Limits};
 
@@ -11,7 +12,7 @@ use crate::{Image, Limits};
 #[derive(Debug)]
 pub(crate) enum Encoded {
     /// Its file's bytes.
-    Bytes(Vec<u8>),
+    Bytes(Arc<Vec<u8>>),
     /// Part of something that the reader has: what [`ImageStore::get`]'s `bytes_of` is asked for.
     Elsewhere,
     /// Why it is not there, as the end of a sentence that begins with its name.
@@ -25,6 +26,8 @@ pub(crate) struct ImageStore {
     entries: Vec<(Arc<str>, Encoded)>,
     state: Mutex<State>,
     limits: Limits,
+    /// Bytes of the model and all of its files.
+    model_bytes: u64,
 }
 
 #[derive(Debug, Default)]
@@ -32,7 +35,7 @@ struct State {
     /// Parallel to the entries, or shorter.
     decoded: Vec<Option<Result<Arc<Image>, String>>>,
     pixels: u64,
-    /// Bytes of the images that have been decoded.
+    /// Bytes of the images that have been decoded; those that several images share, several times.
     bytes: u64,
 }
 
@@ -44,8 +47,9 @@ struct Job<'a> {
 }
 
 impl ImageStore {
-    pub(crate) fn new(entries: Vec<(Arc<str>, Encoded)>, limits: &Limits) -> Self {
-        Self { entries, state: Mutex::default(), limits: *limits }
+    /// The files' bytes have been counted in `budget`.
+    pub(crate) fn new(entries: Vec<(Arc<str>, Encoded)>, budget: &Budget) -> Self {
+        Self { entries, state: Mutex::default(), limits: *budget.limits(), model_bytes: budget.bytes() }
     }
 
     /// The images with these numbers, or why they cannot be had, as one line each.
@@ -92,14 +96,18 @@ impl ImageStore {
             Encoded::Missing(reason) => return Err(reason.clone()),
         };
         let header = header(bytes).map_err(|reason| format!("cannot be decoded: {reason}"))?;
-        self.check(header, bytes.len(), state)?;
+        self.check([header.width, header.height], header.is_16_bit, bytes.len(), state)?;
         Ok(Job { number, bytes, header })
     }
 
+    /// Counts an image of 8 bits a channel that is made of others.
+    pub(crate) fn count(&self, width: u32, height: u32) -> Result<(), String> {
+        self.check([width, height], false, 0, &mut self.state.lock().unwrap_or_else(PoisonError::into_inner))
+    }
+
     /// Counts an image against the limits.
-    fn check(&self, header: Header, bytes: usize, state: &mut State) -> Result<(), String> {
-        let Header { width, height, is_16_bit, .. } = header;
-        let count = header.pixels();
+    fn check(&self, [width, height]: [u32; 2], is_16_bit: bool, bytes: usize, state: &mut State) -> Result<(), String> {
+        let count = u64::from(width) * u64::from(height);
         let too_large = |what: &str, limit: u64, field: &str| {
             Err(format!("has {width} x {height} pixels; {limit} are allowed{what} ({field})"))
         };
@@ -107,7 +115,8 @@ impl ImageStore {
             return too_large("", self.limits.image_pixels, "Limits::image_pixels");
         }
         let pixels = state.pixels + count * if is_16_bit { 2 } else { 1 };
-        let bytes = state.bytes + bytes as u64;
+        // Images may share their bytes, which allow no more pixels for it.
+        let bytes = (state.bytes + bytes as u64).min(self.model_bytes);
         if pixels > self.limits.pixels {
             return too_large(" in all images", self.limits.pixels, "Limits::pixels");
         }

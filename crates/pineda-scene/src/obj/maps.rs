@@ -9,7 +9,7 @@ use std::sync::Arc;
 use super::mtl::{Entry, Map};
 use crate::image::{Encoded, ImageStore, read_file};
 use crate::limits::Budget;
-use crate::resolver::path_inside;
+use crate::resolver::{SideFiles, path_inside};
 use crate::{AlphaMode, Image, Material, Resolver, Sampler, Scene, Texels, Texture, TextureRef, Wrap};
 
 /// What has been made of the libraries' images so far.
@@ -19,29 +19,37 @@ pub(super) struct Maps {
     loaded: HashMap<(String, String), Option<Arc<Image>>>,
     textures: Vec<Texture>,
     images: Vec<Arc<Image>>,
+    /// Images put together, by what each channel is taken from.
+    merged: HashMap<[Option<Source>; 4], Arc<Image>>,
+    /// Counts their pixels, too.
+    store: ImageStore,
     notes: Vec<String>,
 }
 
 /// Where a channel of an image is taken from.
 type Channel<'a> = (Option<&'a Image>, usize);
 
+/// The same for comparisons: an image's address, and the channel there.
+type Source = (*const Image, usize);
+
 impl Maps {
     /// Reads and decodes the images of these materials.
     pub(super) fn new<'e>(entries: impl Iterator<Item = &'e Entry>, files: &dyn Resolver, budget: &mut Budget) -> Self {
         let mut this = Self::default();
+        let mut files = SideFiles::new(files);
         let mut names = Vec::new();
         let mut encoded = Vec::new();
         for entry in entries {
             for map in entry.maps().into_iter().flatten() {
                 if this.loaded.insert(key(entry, map), None).is_none() {
                     names.push(key(entry, map));
-                    encoded.push((map.file.as_str().into(), find(&entry.folder, &map.file, files, budget)));
+                    encoded.push((map.file.as_str().into(), find(&entry.folder, &map.file, &mut files, budget)));
                 }
             }
         }
         let numbers: Vec<usize> = (0..encoded.len()).collect();
-        let store = ImageStore::new(encoded, budget.limits());
-        for (name, image) in names.into_iter().zip(store.get(&numbers, |_| Err(String::new()))) {
+        this.store = ImageStore::new(encoded, budget);
+        for (name, image) in names.into_iter().zip(this.store.get(&numbers, |_| Err(String::new()))) {
             match image {
                 Ok(image) => {
                     this.loaded.insert(name, Some(image));
@@ -140,10 +148,23 @@ impl Maps {
             self.notes.push(format!("images '{name}' and '{}' are not of one size: left out", other.name));
             return None;
         }
-        let texels = (0..width as usize * height as usize)
-            .map(|at| channels.map(|(image, channel)| image.map_or(255, |image| channel_of(image, at, channel))));
-        let image = Image { name, width, height, texels: Texels::Rgba8(texels.collect()) };
-        Some(self.texture(map, Arc::new(image)))
+        let sources = channels.map(|(image, channel)| image.map(|image| (std::ptr::from_ref(image), channel)));
+        let image = match self.merged.get(&sources) {
+            Some(image) => Arc::clone(image),
+            None => {
+                if let Err(reason) = self.store.count(width, height) {
+                    self.notes.push(format!("image '{name}' together with another {reason}"));
+                    return None;
+                }
+                let texels = (0..width as usize * height as usize).map(|at| {
+                    channels.map(|(image, channel)| image.map_or(255, |image| channel_of(image, at, channel)))
+                });
+                let image = Arc::new(Image { name, width, height, texels: Texels::Rgba8(texels.collect()) });
+                self.merged.insert(sources, Arc::clone(&image));
+                image
+            }
+        };
+        Some(self.texture(map, image))
     }
 }
 
@@ -153,7 +174,7 @@ fn key(entry: &Entry, map: &Map) -> (String, String) {
 
 /// A file by the name that a library gives it: from the library's folder, or else from the model's; or the file of that
 /// name in either, for paths of the machine that it was made on.
-fn find(folder: &str, name: &str, files: &dyn Resolver, budget: &mut Budget) -> Encoded {
+fn find(folder: &str, name: &str, files: &mut SideFiles<'_>, budget: &mut Budget) -> Encoded {
     let last = name.rsplit(['/', '\\']).next().unwrap_or(name);
     let candidates = [format!("{folder}{name}"), name.to_owned(), format!("{folder}{last}"), last.to_owned()];
     let mut reason = None;

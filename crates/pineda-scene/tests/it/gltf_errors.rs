@@ -28,8 +28,8 @@ fn gltf_json_errors() {
     fails("{\"asset\": {\"version\": \"2.0\"},\n\"scene\": -1}", &["line 2", "not negative"]);
     fails("{\"asset\": {\"version\": \"2.0\"}, \"scene\": 1.5}", &["not negative"]);
     fails(&format!("{{\"asset\": {{\"version\": \"2.0\"}}, \"extras\": {}", "[".repeat(100_000)), &["JSON"]);
-    let nodes = vec!["{}"; Limits::JSON_LIST + 1].join(",");
-    fails(&format!("{{\"asset\": {{\"version\": \"2.0\"}}, \"nodes\": [{nodes}]}}"), &["Limits::JSON_LIST"]);
+    let names = vec!["\"\""; Limits::JSON_LIST + 1].join(",");
+    fails(&format!("{{\"asset\": {{\"version\": \"2.0\"}}, \"extensionsUsed\": [{names}]}}"), &["Limits::JSON_LIST"]);
 }
 
 #[test]
@@ -218,4 +218,15 @@ fn gltf_bombs() {
     // Many primitives without triangles by many nodes.
     file.json["meshes"][0]["primitives"] = json!(vec![json!({"attributes": {}}); 10_000]);
     assert_eq!(limited(&file, Limits::default()), "Limits::objects");
+}
+
+/// A bug once: three bytes of JSON took 1,500 in memory, and 2^20 times as many were allowed.
+#[test]
+fn gltf_lists_of_nothing_are_limited_by_their_memory() {
+    let list = |name: &str, count: usize| {
+        let elements = vec!["{}"; count].join(",");
+        File::square().text().replacen('{', &format!("{{\"{name}\": [{elements}],"), 1)
+    };
+    crate::fails(Format::Gltf, list("materials", 1 << 20), &["Limits::JSON_BYTES"]);
+    assert!(crate::read(Format::Gltf, list("materials", 1 << 14)).is_ok());
 }

@@ -35,7 +35,7 @@ fn gltf_instances() {
 #[test]
 fn gltf_instances_without_bytes_are_limited() {
     let mut file = File::triangle();
-    let zeros = json!({"componentType": 5126, "type": "VEC3", "count": 5_000_000});
+    let zeros = json!({"componentType": 5126, "type": "VEC3", "count": 1_000_000});
     let translations = push(&mut file.json["accessors"], zeros);
     file.node()["extensions"] = json!({"EXT_mesh_gpu_instancing": {"attributes": {"TRANSLATION": translations}}});
     let error = load_bytes(file.text().as_bytes(), Format::Gltf, &NoFiles, &Limits::default()).unwrap_err();
@@ -202,4 +202,22 @@ fn gltf_draco_errors() {
             let _ = draco(&damaged).read();
         }
     }
+}
+
+/// A bug once: what fails cost nothing, so that a few bytes for each primitive had the decoder fail for minutes.
+#[test]
+fn gltf_draco_streams_that_primitives_share_are_counted_each_time() {
+    let mut stream = draco_grid(7);
+    stream.resize(1 << 16, 0xff);
+    let mut file = draco(&stream);
+    let good = file.view(&draco_grid(7));
+    let mut mesh = file.json["meshes"][0].clone();
+    file.json["meshes"][0]["primitives"] = json!(vec![file.primitive().clone(); 100]);
+    mesh["primitives"][0]["extensions"]["KHR_draco_mesh_compression"]["bufferView"] = json!(good);
+    push(&mut file.json["meshes"], mesh);
+    file.json["nodes"][0]["mesh"] = json!(1);
+    assert!(load_bytes(&file.glb(), Format::Gltf, &NoFiles, &Limits::default()).is_ok());
+    let limits = Limits { expanded: 0, ..Limits::default() };
+    let error = load_bytes(&file.glb(), Format::Gltf, &NoFiles, &limits).unwrap_err();
+    assert!(matches!(error, Error::Limit { field: "Limits::expanded", .. }), "{error}");
 }

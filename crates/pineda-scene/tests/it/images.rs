@@ -3,7 +3,7 @@
 use std::io;
 
 use base64::Engine;
-use pineda_scene::{Error, Format, Limits, Loaded, Texels, TextureRef, load_bytes};
+use pineda_scene::{Error, Format, Limits, Loaded, NoFiles, Texels, TextureRef, load_bytes};
 use png::{BitDepth, ColorType};
 use serde_json::json;
 
@@ -246,4 +246,54 @@ fn images_files_count_against_the_limit_of_bytes() {
     assert!(load(text.len() + 1000).unwrap().notes.is_empty());
     assert_eq!(load(text.len() + 3).unwrap().notes.len(), 1);
     assert!(matches!(load(text.len() - 1), Err(Error::Limit { .. })));
+}
+
+/// A bug once: each image's bytes allowed pixels of their own, so that one small picture, named often, took gigabytes.
+#[test]
+fn images_that_share_their_bytes_share_what_these_allow() {
+    // Black, after as much noise as it takes to be allowed alone.
+    let mut pixels = vec![0; 256 * 256 * 4];
+    pixels[..2048].iter_mut().fold(1u32, |noise, byte| {
+        *byte = (noise >> 24) as u8;
+        noise.wrapping_mul(1_664_525).wrapping_add(1_013_904_223)
+    });
+    let image = png(ColorType::Rgba, BitDepth::Eight, 256, 256, &pixels);
+    assert!((256 * 256..512 * 256).contains(&(32 * image.len())));
+    let mut file = textured(json!({}));
+    let view = file.view(&image);
+    file.json["images"] = json!(vec![json!({"bufferView": view}); 100]);
+    file.json["textures"] = (0..100).map(|source| json!({"source": source})).collect();
+    let material = |texture| json!({"pbrMetallicRoughness": {"baseColorTexture": {"index": texture}}});
+    file.json["materials"] = (0..100).map(material).collect();
+    let primitive = file.primitive().clone();
+    let of_material = |material: usize| {
+        let mut primitive = primitive.clone();
+        primitive["material"] = json!(material);
+        primitive
+    };
+    file.json["meshes"][0]["primitives"] = (0..100).map(of_material).collect();
+    let text = file.text();
+    let limits = Limits { expanded_pixels: 0, ..Limits::default() };
+    let loaded = load_bytes(text.as_bytes(), Format::Gltf, &NoFiles, &limits).unwrap();
+    assert_eq!(loaded.scene.images.len(), 32 * text.len() / (256 * 256));
+    assert!(loaded.notes[0].contains("for all images of so few bytes"), "{:?}", loaded.notes);
+}
+
+/// A bug once: each buffer and image read the file anew that it names.
+#[test]
+fn images_and_buffers_of_one_file_read_it_once() {
+    let reads = std::cell::Cell::new(0);
+    let bytes = pixel();
+    let files = |_: &str, _: u64| {
+        reads.set(reads.get() + 1);
+        Ok(bytes.clone())
+    };
+    let mut file = textured(json!({"uri": "a.png"}));
+    file.json["images"] = json!([{"uri": "a.png"}, {"uri": "./a.png"}]);
+    file.json["textures"] = json!([{"source": 0}, {"source": 1}]);
+    file.json["materials"][0]["normalTexture"] = json!({"index": 1});
+    push(&mut file.json["buffers"], json!({"byteLength": 4, "uri": "a.png"}));
+    push(&mut file.json["bufferViews"], json!({"buffer": 1, "byteLength": 4}));
+    let loaded = load_bytes(file.text().as_bytes(), Format::Gltf, &files, &Limits::default()).unwrap();
+    assert_eq!((loaded.scene.images.len(), reads.get()), (2, 1));
 }

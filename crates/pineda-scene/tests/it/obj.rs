@@ -355,3 +355,52 @@ fn obj_limits() {
     assert_eq!(field(Limits { objects: 1, ..Limits::default() }), "Limits::objects");
     assert_eq!(field(Limits { file_bytes: 10, ..Limits::default() }), "Limits::file_bytes");
 }
+
+/// A bug once: a library that is named a thousand times was read and parsed a thousand times.
+#[test]
+fn obj_libraries_are_read_once() {
+    let reads = std::cell::Cell::new(0);
+    let files = |path: &str, _: u64| {
+        reads.set(reads.get() + 1);
+        if path == "a.mtl" { Ok(b"newmtl a\nKd 1 0 0\n".to_vec()) } else { Err(std::io::ErrorKind::NotFound.into()) }
+    };
+    let names = "mtllib a.mtl\nmtllib ./a.mtl\nmtllib ./a.mtl a.mtl\n".repeat(1000);
+    let obj = format!("{names}v 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n");
+    let loaded = load_bytes(obj.as_bytes(), Format::Obj, &files, &Limits::default()).unwrap();
+    assert_eq!(loaded.scene.materials[0].base_color_factor, [1.0, 0.0, 0.0, 1.0]);
+    // The name with a space in it is looked for each time, but is not there.
+    assert_eq!(reads.get(), 1 + 1000);
+    assert!(loaded.notes.is_empty(), "{:?}", loaded.notes);
+}
+
+/// A bug once: of opacity in an image of its own each material made an image, however large, that nobody counted.
+#[test]
+fn obj_images_put_together_are_made_once_and_counted() {
+    let image = |gray: u8| png(ColorType::Grayscale, BitDepth::Eight, 64, 64, &[gray; 64 * 64]);
+    let files = |path: &str, _: u64| match path {
+        "a.mtl" => {
+            let material =
+                |i: usize| format!("newmtl m{i}\nmap_Kd a.png\nmap_d {}.png\n", if i < 100 { "b" } else { "c" });
+            Ok((0..200).map(material).collect::<String>().into_bytes())
+        }
+        "a.png" => Ok(image(1)),
+        "b.png" => Ok(image(2)),
+        _ => Ok(image(3)),
+    };
+    let faces: String = (0..200).map(|i| format!("usemtl m{i}\nf 1 2 3\n")).collect();
+    let obj = format!("mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\n{faces}");
+    let load =
+        |pixels| load_bytes(obj.as_bytes(), Format::Obj, &files, &Limits { pixels, ..Limits::default() }).unwrap();
+    assert_eq!(load(5 * 64 * 64).scene.images.len(), 2);
+    let loaded = load(4 * 64 * 64);
+    assert_eq!((loaded.scene.images.len(), loaded.notes.len()), (1, 1));
+    assert!(loaded.notes[0].contains("Limits::pixels"), "{:?}", loaded.notes);
+}
+
+/// A bug once: a line for each of any number of things that are wrong.
+#[test]
+fn obj_notes_are_no_more_than_anybody_reads() {
+    let names: String = (0..1000).map(|i| format!("mtllib {i}.mtl\n")).collect();
+    let loaded = read(&format!("{names}v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"));
+    assert_eq!((loaded.notes.len(), loaded.notes[32].as_str()), (33, "and 968 more like these"));
+}

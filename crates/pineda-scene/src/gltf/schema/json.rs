@@ -1,5 +1,6 @@
 //! Pieces of JSON that the schema is made of.
 
+use std::cell::Cell;
 use std::collections::HashMap;
 use std::fmt;
 use std::marker::PhantomData;
@@ -53,6 +54,22 @@ impl<'de> Deserialize<'de> for Whole {
     }
 }
 
+thread_local! {
+    /// Bytes that lists may still take in memory, of the text that this thread parses: parsers know nothing but the text.
+    static BYTES_LEFT: Cell<usize> = const { Cell::new(Limits::JSON_BYTES) };
+}
+
+/// Sets what the lists of a text of so many bytes may take.
+pub(in crate::gltf) fn allow_lists(text: usize) {
+    BYTES_LEFT.set(text.saturating_mul(8).saturating_add(Limits::JSON_BYTES));
+}
+
+fn take_bytes(bytes: usize) -> Result<(), String> {
+    let left = BYTES_LEFT.get().checked_sub(bytes);
+    let too_many = || "lists that take too many bytes in memory for so short a text (Limits::JSON_BYTES)".to_owned();
+    left.map(|left| BYTES_LEFT.set(left)).ok_or_else(too_many)
+}
+
 /// A list of at most [`Limits::JSON_LIST`] elements.
 #[derive(Debug)]
 pub(in crate::gltf) struct List<T>(Vec<T>);
@@ -90,6 +107,7 @@ impl<'de, T: Deserialize<'de>> Deserialize<'de> for List<T> {
             fn visit_seq<A: SeqAccess<'de>>(self, mut elements: A) -> Result<List<T>, A::Error> {
                 let mut list = Vec::new();
                 while let Some(element) = elements.next_element()? {
+                    take_bytes(size_of::<T>()).map_err(de::Error::custom)?;
                     if list.len() == Limits::JSON_LIST {
                         let message = format!("a list of more than {} elements (Limits::JSON_LIST)", Limits::JSON_LIST);
                         return Err(de::Error::custom(message));
