@@ -109,6 +109,8 @@ pub(crate) enum ModelFormat {
     Obj,
     Stl,
     Ply,
+    #[value(name = "3mf")]
+    ThreeMf,
     /// glTF, or GLB
     #[value(alias = "glb")]
     Gltf,
@@ -120,6 +122,7 @@ impl From<ModelFormat> for pineda_scene::Format {
             ModelFormat::Obj => Self::Obj,
             ModelFormat::Stl => Self::Stl,
             ModelFormat::Ply => Self::Ply,
+            ModelFormat::ThreeMf => Self::ThreeMf,
             ModelFormat::Gltf => Self::Gltf,
         }
     }

@@ -25,7 +25,7 @@ pub enum Error {
     },
     /// Neither the extension nor the first bytes say what the file is.
     #[error(
-        "is of no known format; readable are OBJ, STL, PLY, glTF and GLB: give the file its extension (.obj, .stl, .ply, .gltf, .glb)"
+        "is of no known format; readable are OBJ, STL, PLY, 3MF, glTF and GLB: give the file its extension (.obj, .stl, .ply, .3mf, .gltf, .glb)"
     )]
     UnknownFormat,
     /// A line of a text file breaks its format's rules.
@@ -71,6 +71,14 @@ pub enum Error {
     ExtensionRequired {
         /// Those of `extensionsRequired` that are not supported.
         names: Vec<String>,
+    },
+    /// A part of a 3MF file cannot be read, or contradicts the rest of it.
+    #[error("3MF, {place}: {message}")]
+    ThreeMf {
+        /// Such as `3D/3dmodel.model, byte 512, <triangle>`.
+        place: String,
+        /// What is wrong and what was expected.
+        message: String,
     },
     /// A file that the model needs could not be read.
     #[error("the file '{uri}', which the model needs, cannot be read: {error}: put it beside the model")]
@@ -135,6 +143,10 @@ impl Error {
 
     pub(crate) fn binary(format: Format, offset: usize, message: impl Into<String>) -> Self {
         Self::Binary { format, offset, message: message.into() }
+    }
+
+    pub(crate) fn threemf(place: impl Into<String>, message: impl Into<String>) -> Self {
+        Self::ThreeMf { place: place.into(), message: message.into() }
     }
 
     pub(crate) fn gltf(place: impl Into<String>, message: impl Into<String>) -> Self {

@@ -12,17 +12,20 @@ pub enum Format {
     Stl,
     /// PLY 1.0, ASCII or binary of either byte order.
     Ply,
+    /// 3MF.
+    ThreeMf,
     /// glTF 2.0, as JSON or as a GLB container.
     Gltf,
 }
 
 impl Format {
-    /// By the extension, in any case: `obj`, `stl`, `ply`, `gltf`, `glb`.
+    /// By the extension, in any case: `obj`, `stl`, `ply`, `3mf`, `gltf`, `glb`.
     pub fn from_extension(path: &Path) -> Option<Self> {
         match path.extension()?.to_str()?.to_ascii_lowercase().as_str() {
             "obj" => Some(Self::Obj),
             "stl" => Some(Self::Stl),
             "ply" => Some(Self::Ply),
+            "3mf" => Some(Self::ThreeMf),
             "gltf" | "glb" => Some(Self::Gltf),
             _ => None,
         }
@@ -32,6 +35,9 @@ impl Format {
     pub fn from_content(bytes: &[u8]) -> Option<Self> {
         if bytes.starts_with(b"glTF") {
             return Some(Self::Gltf);
+        }
+        if crate::threemf::looks_like_3mf(bytes) {
+            return Some(Self::ThreeMf);
         }
         let text = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
         let first_line = text.split(|b| matches!(b, b'\n' | b'\r')).next().unwrap_or_default();
@@ -62,6 +68,7 @@ impl fmt::Display for Format {
             Self::Obj => "OBJ",
             Self::Stl => "STL",
             Self::Ply => "PLY",
+            Self::ThreeMf => "3MF",
             Self::Gltf => "glTF",
         })
     }
@@ -76,6 +83,7 @@ mod tests {
         let of = |name: &str| Format::from_extension(Path::new(name));
         assert_eq!(of("a.OBJ"), Some(Format::Obj));
         assert_eq!(of("dir.ply/b.StL"), Some(Format::Stl));
+        assert_eq!(of("c.3mf"), Some(Format::ThreeMf));
         assert_eq!(of("c.gltf"), Some(Format::Gltf));
         assert_eq!(of("c.glb"), Some(Format::Gltf));
         assert_eq!(of("ply"), None);
@@ -87,6 +95,7 @@ mod tests {
         let of = |bytes: &[u8]| Format::from_content(bytes);
         assert_eq!(of(b"glTF\x02\0\0\0"), Some(Format::Gltf));
         assert_eq!(of(b"\xef\xbb\xbf {\"asset\":"), Some(Format::Gltf));
+        assert_eq!(of(b"PK\x03\x04\x14\0"), Some(Format::ThreeMf));
         assert_eq!(of(b"ply\r\nformat ascii 1.0"), Some(Format::Ply));
         assert_eq!(of(b"plywood"), None);
         assert_eq!(of(b"solid a\nfacet normal 0 0 1"), Some(Format::Stl));

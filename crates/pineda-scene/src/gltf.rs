@@ -56,7 +56,7 @@ use images::Textures;
 use nodes::Nodes;
 use primitive::{PrimitiveReader, Shown};
 use schema::{Root, Whole};
-use transform::Affine;
+pub(crate) use transform::Affine;
 
 /// A glTF file that has been read, and the files that it names.
 #[derive(Debug)]

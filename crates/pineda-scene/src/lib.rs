@@ -1,4 +1,4 @@
-//! Models in, no pixels: OBJ, STL, PLY and glTF 2.0 become one [`Scene`] that a renderer draws as it is, together with
+//! Models in, no pixels: OBJ, STL, PLY, 3MF and glTF 2.0 become one [`Scene`] that a renderer draws as it is, together with
 //! the camera that shows all of it.
 //!
 //! ```
@@ -29,9 +29,9 @@
 //!   variant. [`Model::contents`] says what there is. Images are decoded when a pose first shows them, and shared.
 //! - A [`Scene`] is a list of [`Object`]s (vertices in world space, triangles, lines and points, one material each), of
 //!   [`Material`]s in glTF's terms, of the [`Texture`]s and [`Image`]s that they look up, and of the file's own
-//!   [`Camera`]s and [`Light`]s. World space is right-handed with y up, as in glTF; the other formats do not say which way
-//!   is up and are taken as they are.
-//! - Colours are linear light. Vertex colours of OBJ, STL and PLY files and colours of MTL files are taken for sRGB and
+//!   [`Camera`]s and [`Light`]s. World space is right-handed with y up, as in glTF; 3MF, whose z is up, is turned, and the
+//!   other formats, which do not say which way is up, are taken as they are.
+//! - Colours are linear light. Vertex colours of OBJ, STL and PLY files and colours of MTL and 3MF files are taken for sRGB and
 //!   decoded; glTF's are linear already. Images stay as they are stored: each use in [`Material`] says what they mean.
 //! - [`flat_normals`] and [`smooth_normals`] make normals where a file has none.
 //! - [`Bounds`], [`View`] and [`Framing`] put the whole of a scene into the picture.
@@ -42,6 +42,7 @@
 //! | glTF 2.0, .gltf and .glb | the core whole: accessors of every kind, all primitive modes, node hierarchies, scenes, cameras, skins of 4 and 8 influences, morph targets, animations, samplers, PNG, JPEG and WebP images. KHR_draco_mesh_compression, KHR_lights_punctual, KHR_materials_anisotropy, clearcoat, emissive_strength, ior, iridescence, pbrSpecularGlossiness, sheen, specular, transmission, unlit, variants and volume, KHR_mesh_quantization, KHR_meshopt_compression and its older EXT_ form, KHR_texture_transform, EXT_mesh_gpu_instancing, EXT_texture_webp. Others: an error if the file requires them, a line if it uses them |
 //! | OBJ | polygons of any size, groups, texture coordinates, normals, vertex colours, lines, points; MTL with its images |
 //! | PLY | ASCII and binary of both byte orders, polygons, strips, clouds of points, normals, colours, texture coordinates of vertices and of faces' corners |
+//! | 3MF | meshes, components, items, base materials and groups of colours, parts of the production extension; z of the file is y of the scene. Units are not converted. Others: an error if the file requires an extension, a line if it has one |
 //! | STL | ASCII and binary, several solids, colours of VisCAM and Magics |
 //!
 //! KHR_texture_basisu is not read: there is no decoder yet that is Rust alone and kept well.
@@ -78,6 +79,7 @@ mod scene;
 mod stl;
 mod text;
 mod texture;
+mod threemf;
 mod tight;
 mod vector;
 

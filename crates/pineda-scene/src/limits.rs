@@ -20,6 +20,8 @@ pub struct Limits {
     pub objects: u64,
     /// Depth of a node below its scene's root. Default 1024.
     pub nesting: u64,
+    /// Bytes that the parts of a 3MF file may have, inflated, beyond 64 for each byte of the file. Default 2^26.
+    pub inflated: u64,
     /// Pixels of any one image. Default 2^26 (8192 x 8192). An image with more is left out.
     pub image_pixels: u64,
     /// Pixels of all images together, those of 16 bits a channel counted twice. Default 2^29 (2 GiB); a quarter of that
@@ -49,6 +51,7 @@ impl Default for Limits {
             expanded: 1 << 21,
             objects: 1 << 19,
             nesting: 1024,
+            inflated: 1 << 26,
             image_pixels: 1 << 26,
             pixels: quarters << 27,
             expanded_pixels: 1 << 25,
@@ -99,6 +102,11 @@ impl Budget {
     /// Bytes of all files that have been read.
     pub(crate) fn bytes(&self) -> u64 {
         self.bytes
+    }
+
+    /// Bytes that compressed parts may have.
+    pub(crate) fn inflated_limit(&self) -> u64 {
+        self.bytes.saturating_mul(64).saturating_add(self.limits.inflated)
     }
 
     /// Bytes that side files may still have.

@@ -8,7 +8,7 @@ use std::sync::Arc;
 use crate::gltf::Document;
 use crate::limits::Budget;
 use crate::resolver::read_file;
-use crate::{Error, Folder, Format, Limits, Loaded, Pose, Resolver, finish, gltf, obj, ply, stl};
+use crate::{Error, Folder, Format, Limits, Loaded, Pose, Resolver, finish, gltf, obj, ply, stl, threemf};
 
 /// A model with all its scenes, animations and variants; each [`Pose`] of it is a scene.
 ///
@@ -118,6 +118,7 @@ impl Model {
             Format::Obj => obj::read(&bytes, files, &mut budget)?,
             Format::Stl => stl::read(&bytes, &mut budget)?,
             Format::Ply => ply::read(&bytes, files, &mut budget)?,
+            Format::ThreeMf => threemf::read(&bytes, &mut budget)?,
             Format::Gltf => {
                 let document = gltf::Document::read(bytes, files, budget)?;
                 let contents = document.contents();

@@ -10,7 +10,7 @@ use std::path::PathBuf;
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES, args_override_self = true)]
 pub(crate) struct InfoArguments {
-    /// The model: .obj, .stl, .ply, .gltf or .glb; - reads standard input
+    /// The model: .obj, .stl, .ply, .3mf, .gltf or .glb; - reads standard input
     #[arg(value_name = "MODEL")]
     pub(crate) model: PathBuf,
     /// What the model is, whatever its name says

@@ -25,7 +25,7 @@ pub(crate) struct Arguments {
 const EXAMPLES: &str = "\
 Examples:
   pineda render -o picture.png                  the demo scene
-  pineda render model.glb -o model.png          a model: OBJ, STL, PLY, glTF, GLB
+  pineda render model.glb -o model.png          a model: OBJ, STL, PLY, 3MF, glTF, GLB
   pineda render models/*.glb --out-dir small --size 256x256
   pineda info model.glb                         what is in it
   pineda raster -o triangle.ppm                 the tutorials' triangle

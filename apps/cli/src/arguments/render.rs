@@ -9,13 +9,13 @@ use std::path::PathBuf;
 
 /// Draws models, or without one a demo scene, in a three-quarter view
 ///
-/// Reads OBJ, STL (ASCII, binary), PLY (ASCII, binary), glTF and GLB. The whole model is in the picture unless a camera says otherwise.
+/// Reads OBJ, STL (ASCII, binary), PLY (ASCII, binary), 3MF, glTF and GLB. The whole model is in the picture unless a camera says otherwise.
 ///
 /// Several models are drawn in parallel into a folder. What fails does not stop the others: it is listed at the end, and the exit code is 1.
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES, args_override_self = true)]
 pub(crate) struct RenderArguments {
-    /// The models: .obj, .stl, .ply, .gltf or .glb; - reads one from standard input (without the files that it may name)
+    /// The models: .obj, .stl, .ply, .3mf, .gltf or .glb; - reads one from standard input (without the files that it may name)
     #[arg(value_name = "MODEL")]
     pub(crate) models: Vec<PathBuf>,
     #[command(flatten, next_help_heading = "Files")]

@@ -34,7 +34,7 @@ fn standard_input(format: Option<ModelFormat>, limits: &Limits) -> Result<Model,
     let format = format.map(Format::from).or_else(|| Format::from_content(&bytes)).ok_or_else(|| {
         Failure::data("what comes from standard input is of no known format")
             .at(name.display())
-            .help("say what it is: --model-format obj, stl, ply or gltf")
+            .help("say what it is: --model-format obj, stl, ply, 3mf or gltf")
     })?;
     Model::from_bytes(&bytes, format, &NoFiles, limits).map_err(|error| failure(error, name))
 }

@@ -6,12 +6,12 @@ use crate::vector::{Vec3, cross, dot};
 
 /// An affine map: three rows of a 4 x 4 matrix.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Affine {
+pub(crate) struct Affine {
     rows: [[f64; 4]; 3],
 }
 
 impl Affine {
-    pub(super) const IDENTITY: Self = Self { rows: [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]] };
+    pub(crate) const IDENTITY: Self = Self { rows: [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]] };
 
     /// Nothing: where sums begin.
     pub(super) const ZERO: Self = Self { rows: [[0.0; 4]; 3] };
@@ -32,7 +32,7 @@ impl Affine {
     }
 
     /// From a 4 x 4 matrix, column by column.
-    pub(super) fn from_columns(m: &[f64; 16]) -> Self {
+    pub(crate) fn from_columns(m: &[f64; 16]) -> Self {
         let row = |r: usize| [m[r], m[4 + r], m[8 + r], m[12 + r]];
         Self { rows: [row(0), row(1), row(2)] }
     }
@@ -54,7 +54,7 @@ impl Affine {
     }
 
     /// `self` after `first`.
-    pub(super) fn after(&self, first: &Self) -> Self {
+    pub(crate) fn after(&self, first: &Self) -> Self {
         let row = |[x, y, z, t]: [f64; 4]| {
             std::array::from_fn(|c| {
                 let sum = x * first.rows[0][c] + y * first.rows[1][c] + z * first.rows[2][c];
@@ -64,7 +64,7 @@ impl Affine {
         Self { rows: self.rows.map(row) }
     }
 
-    pub(super) fn point(&self, p: Vec3) -> Vec3 {
+    pub(crate) fn point(&self, p: Vec3) -> Vec3 {
         self.rows.map(|[x, y, z, t]| x * p[0] + y * p[1] + z * p[2] + t)
     }
 
@@ -80,7 +80,7 @@ impl Affine {
     }
 
     /// Whether it turns left-handed into right-handed, and so front into back.
-    pub(super) fn is_mirrored(&self) -> bool {
+    pub(crate) fn is_mirrored(&self) -> bool {
         let [a, b, c] = self.linear();
         dot(a, cross(b, c)) < 0.0
     }

@@ -10,6 +10,7 @@ use pineda_scene::{
 use crate::gltf_file::{File, push};
 use crate::images::{data_uri, pixel, textured};
 use crate::models;
+use crate::threemf::{file, model};
 
 /// Small, so that a damaged file cannot make the test slow.
 const LIMITS: Limits = Limits {
@@ -19,6 +20,7 @@ const LIMITS: Limits = Limits {
     expanded: 1 << 21,
     objects: 1 << 12,
     nesting: 64,
+    inflated: 1 << 20,
     image_pixels: 1 << 20,
     pixels: 1 << 21,
     expanded_pixels: 1 << 20,
@@ -183,11 +185,18 @@ fn seeds() -> Vec<(Format, Vec<u8>)> {
         (Format::Ply, ascii_ply.into_bytes()),
         (Format::Ply, binary_ply("binary_little_endian", false)),
         (Format::Ply, binary_ply("binary_big_endian", true)),
+        (Format::ThreeMf, threemf()),
         (Format::Gltf, gltf.text().into_bytes()),
         (Format::Gltf, gltf.glb()),
         (Format::Gltf, moving_gltf().text().into_bytes()),
         (Format::Gltf, moving_gltf().glb()),
     ]
+}
+
+/// All that the reader knows. What is damaged is found by the sums, mostly: the fuzzer has a target without these.
+fn threemf() -> Vec<u8> {
+    let resources = r##"<basematerials id="2"><base displaycolor="#ff0000"/></basematerials><object id="1" pid="2"><mesh><vertices><vertex x="0" y="0" z="0"/><vertex x="1" y="0" z="0"/><vertex x="0" y="1" z="0"/></vertices><triangles><triangle v1="0" v2="2" v3="1" p1="0"/></triangles></mesh></object><object id="3"><components><component objectid="1" transform="1 0 0 0 1 0 0 0 1 2 3 4"/></components></object>"##;
+    file(&model("", resources, r#"<item objectid="3"/><item objectid="1"/>"#))
 }
 
 fn everything_gltf() -> File {
@@ -262,7 +271,7 @@ fn damaged_files_at_random() {
 #[test]
 fn damaged_files_in_the_wrong_reader() {
     for (_, bytes) in seeds() {
-        for format in [Format::Obj, Format::Stl, Format::Ply, Format::Gltf] {
+        for format in [Format::Obj, Format::Stl, Format::Ply, Format::ThreeMf, Format::Gltf] {
             try_to_read(&bytes, format, &NoFiles);
         }
     }

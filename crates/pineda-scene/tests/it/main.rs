@@ -15,6 +15,7 @@ mod obj;
 mod ply;
 mod scene;
 mod stl;
+mod threemf;
 
 use pineda_scene::{Error, Format, Limits, Loaded, NoFiles, Object, load_bytes};
 

@@ -17,6 +17,7 @@ mod places;
 mod raster;
 mod run;
 mod textures;
+mod threemf;
 
 use run::{Outcome, run};
 use std::collections::HashSet;
@@ -63,7 +64,7 @@ impl Case {
 }
 
 /// Every list that there is.
-fn all() -> [Vec<Case>; 8] {
+fn all() -> [Vec<Case>; 9] {
     [
         gltf::cases(),
         gltf_moving::cases(),
@@ -73,6 +74,7 @@ fn all() -> [Vec<Case>; 8] {
         mesh_files::cases(),
         panoramas::cases(),
         raster::cases(),
+        threemf::cases(),
     ]
 }
 
@@ -199,8 +201,13 @@ fn malformed_raster() {
 }
 
 #[test]
+fn malformed_3mf() {
+    check("3mf", &threemf::cases());
+}
+
+#[test]
 fn malformed_files_are_many_and_each_has_its_name() {
     let names: Vec<_> = all().iter().flatten().map(|case| case.name).collect();
-    assert!(names.len() >= 350, "{}", names.len());
+    assert!(names.len() >= 400, "{}", names.len());
     assert_eq!(names.iter().collect::<HashSet<_>>().len(), names.len());
 }
