@@ -1,6 +1,6 @@
 //! Panoramas from the bytes of Radiance (.hdr) and OpenEXR (.exr) files.
 
-use exr::meta::MetaData;
+use exr::meta::{BlockDescription, MetaData};
 use exr::prelude::{ReadChannels, ReadLayers, Vec2, read as read_exr};
 use std::io::Cursor;
 use zune_core::bytestream::ZCursor;
@@ -10,6 +10,9 @@ use zune_hdr::HdrDecoder;
 const MOST_PIXELS: usize = 1 << 25;
 /// And so many in a row or column: decoders take several times a row's memory.
 const LONGEST_SIDE: usize = 1 << 14;
+
+/// And what of an OpenEXR file is decompressed at a time at most so many bytes: 256 of the longest rows, of four floats.
+const LARGEST_BLOCK: usize = 256 * LONGEST_SIDE * 16;
 
 /// Its width and height, and red, green and blue of its pixels in linear light, row by row from the top.
 pub(crate) type Panorama = (u32, u32, Vec<f32>);
@@ -42,7 +45,17 @@ fn radiance(bytes: &[u8]) -> Result<Panorama, String> {
 fn openexr(bytes: &[u8]) -> Result<Panorama, String> {
     let said = |error: exr::error::Error| error.to_string();
     let headers = MetaData::read_from_buffered(bytes, false).map_err(said)?.headers;
-    headers.iter().try_for_each(|header| check_size(header.layer_size.0, header.layer_size.1))?;
+    for header in &headers {
+        check_size(header.layer_size.0, header.layer_size.1)?;
+        // A tile may be larger than the picture that it is of.
+        if let BlockDescription::Tiles(tiles) = header.blocks {
+            check_size(tiles.tile_size.0, tiles.tile_size.1)?;
+        }
+        let block = header.max_block_byte_size();
+        if block > LARGEST_BLOCK {
+            return Err(format!("it is stored in pieces of {block} bytes, and more than {LARGEST_BLOCK} are not read"));
+        }
+    }
     let empty = |size: Vec2<usize>, _: &_| (size, vec![0.0; 3 * size.area()]);
     let set = |(size, pixels): &mut (Vec2<usize>, Vec<f32>), at: Vec2<usize>, (r, g, b, _): (f32, f32, f32, f32)| {
         pixels[3 * (at.1 * size.0 + at.0)..][..3].copy_from_slice(&[r, g, b]);

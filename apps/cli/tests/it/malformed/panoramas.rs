@@ -2,6 +2,7 @@
 
 use super::make::{cut, patched};
 use super::{Case, Error, Picture, Wanted, case};
+use exr::image::Blocks;
 use exr::prelude::{Encoding, Image, Layer, LayerAttributes, SpecificChannels, Vec2, WritableImage};
 use std::io::Cursor;
 
@@ -64,6 +65,13 @@ fn openexr() -> Vec<Case> {
         let at = good.windows(key.len()).position(|bytes| bytes == key.as_bytes()).unwrap() + key.len() + 4;
         patched(good.clone(), at, &numbers.map(i32::to_le_bytes).concat())
     };
+    // Behind name, type and length of the attribute its sides.
+    let tile = |sides: [u32; 2]| {
+        let tiled = image(Encoding { blocks: Blocks::Tiles(Vec2(4, 4)), ..Encoding::UNCOMPRESSED }, 1.0);
+        let key = b"tiles\0tiledesc\0";
+        let at = tiled.windows(key.len()).position(|bytes| bytes == key).unwrap() + key.len() + 4;
+        patched(tiled, at, &sides.map(u32::to_le_bytes).concat())
+    };
     let length = {
         let at = good.windows(9).position(|bytes| bytes == b"channels\0").unwrap() + 9 + 7;
         patched(good.clone(), at, &[255, 255, 255, 127])
@@ -89,6 +97,10 @@ fn openexr() -> Vec<Case> {
             window("dataWindow", [0, 0, 8_257_543, 3]),
             Error(&["8257544 x 4 pixels", "in a row"]),
         ),
+        of("exr-tile", tile([4, 4]), Picture(&[])),
+        // A bug once: memory was taken for a tile, whatever the picture's own size.
+        of("exr-tile-huge", tile([1 << 15, 4]), Error(&["32768 x 4 pixels", "in a row"])),
+        of("exr-tile-large", tile([8192, 4096]), Error(&["pieces of 536870912 bytes"])),
         of("exr-window-inside-out", window("dataWindow", [5, 5, 0, 0]), WRONG),
         of("exr-window-overflows", window("dataWindow", [i32::MIN, i32::MIN, i32::MAX, i32::MAX]), WRONG),
         of("exr-window-as-large-as-may-be", window("dataWindow", [0, 0, 8191, 4095]), WRONG),

@@ -77,7 +77,7 @@ fn malformed_places_of_files_beside_it() {
     };
     obj("library-pipe", &["a.mtl", "not a regular file"], &|folder| pipe(&folder.join("a.mtl")));
     obj("library-endless", &["a.mtl", "not a regular file"], &|folder| {
-        symlink("/dev/zero", folder.join("a.mtl")).unwrap()
+        symlink("/dev/zero", folder.join("a.mtl")).unwrap();
     });
     obj("image-pipe", &["image 'b.png'", "not a regular file"], &|folder| {
         fs::write(folder.join("a.mtl"), "newmtl a\nmap_Kd b.png\n").unwrap();
