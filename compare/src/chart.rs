@@ -106,6 +106,8 @@ fn color(peer: Peer) -> &'static str {
         Peer::Pineda => "#d55e00",
         Peer::Lavapipe => "#0072b2",
         Peer::Swiftshader => "#56b4e9",
+        Peer::Llvmpipe => "#009e73",
         Peer::Euc => "#999999",
+        Peer::Embree => "#cc79a7",
     }
 }

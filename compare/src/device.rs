@@ -1,4 +1,4 @@
-//! A Vulkan device through wgpu, headless. Which driver answers is decided by the environment of the process.
+//! A Vulkan (or OpenGL) device through wgpu, headless. Which driver answers is decided by the environment of the process.
 
 use anyhow::{Context, Result};
 
@@ -12,21 +12,21 @@ pub(crate) struct Device {
 
 impl Device {
     /// Opens the driver's first device, with those of the wanted features that it has.
-    pub(crate) fn open(wanted: wgpu::Features) -> Result<Self> {
+    pub(crate) fn open(backends: wgpu::Backends, wanted: wgpu::Features) -> Result<Self> {
         let instance = wgpu::Instance::new(wgpu::InstanceDescriptor {
-            backends: wgpu::Backends::VULKAN,
+            backends,
             // No validation, whatever the build; Debian's lavapipe does not claim conformance, which wgpu would otherwise hold against it.
             flags: wgpu::InstanceFlags::ALLOW_UNDERLYING_NONCOMPLIANT_ADAPTER,
             ..wgpu::InstanceDescriptor::new_without_display_handle()
         });
         let adapter = pollster::block_on(instance.request_adapter(&wgpu::RequestAdapterOptions::default()))
-            .context("the Vulkan driver offers no device")?;
+            .context("the driver offers no device")?;
         let (device, queue) = pollster::block_on(adapter.request_device(&wgpu::DeviceDescriptor {
             required_features: adapter.features() & wanted,
             required_limits: adapter.limits(),
             ..wgpu::DeviceDescriptor::default()
         }))
-        .context("the Vulkan driver gives no device")?;
+        .context("the driver gives no device")?;
         Ok(Self { version: version(&adapter.get_info()), device, queue })
     }
 }

@@ -32,6 +32,21 @@ pub(crate) fn find(peer: Peer, arguments: &Compare) -> Result<Found, String> {
             let program = arguments.native.as_deref().map_or(program, absolute);
             return Ok(Found { peer, program, driver: None, package: None });
         }
+        Peer::Llvmpipe => {
+            find_driver(
+                None,
+                &egl_places(),
+                "libegl-mesa0 and libegl1 (Debian: apt-get install libegl-mesa0 libegl1)",
+            )?;
+            return Ok(Found { peer, program, driver: None, package: None });
+        }
+        Peer::Embree if cfg!(feature = "embree") => return Ok(Found { peer, program, driver: None, package: None }),
+        Peer::Embree => {
+            return Err(
+                "install libembree-dev (Debian: apt-get install libembree-dev), which `cargo xtask compare` finds"
+                    .to_owned(),
+            );
+        }
         Peer::Lavapipe => find_lavapipe(arguments.lavapipe.as_deref())?,
         Peer::Swiftshader => find_driver(
             arguments.swiftshader.as_deref(),
@@ -82,6 +97,11 @@ fn lavapipe_places() -> Vec<PathBuf> {
     let names = [format!("lvp_icd.{arch}.json"), "lvp_icd.json".to_owned()];
     let folders = ["/usr/share/vulkan/icd.d", "/usr/local/share/vulkan/icd.d", "/etc/vulkan/icd.d"];
     folders.iter().flat_map(|folder| names.iter().map(move |name| Path::new(folder).join(name))).collect()
+}
+
+/// The file that says that Mesa's EGL is there.
+fn egl_places() -> Vec<PathBuf> {
+    ["/usr/share/glvnd/egl_vendor.d/50_mesa.json", "/etc/glvnd/egl_vendor.d/50_mesa.json"].map(PathBuf::from).into()
 }
 
 fn swiftshader_places() -> Vec<PathBuf> {
@@ -160,7 +180,8 @@ impl Turn<'_> {
             choose_driver(command, driver);
         }
         match self.found.peer {
-            Peer::Lavapipe => {
+            Peer::Llvmpipe | Peer::Lavapipe => {
+                command.env("LIBGL_ALWAYS_SOFTWARE", "true").env("GALLIUM_DRIVER", "llvmpipe");
                 command.env("LP_NUM_THREADS", self.threads.to_string());
                 if self.scene == SceneName::ColdStart {
                     command.env("MESA_SHADER_CACHE_DIR", self.scratch.join("mesa"));
@@ -173,7 +194,7 @@ impl Turn<'_> {
                 let settings = format!("[Processor]\nThreadCount={}\n", self.threads);
                 std::fs::write(self.scratch.join("SwiftShader.ini"), settings)?;
             }
-            Peer::Pineda | Peer::Euc => {}
+            Peer::Pineda | Peer::Euc | Peer::Embree => {}
         }
         Ok(())
     }

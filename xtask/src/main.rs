@@ -40,7 +40,8 @@ enum Task {
         #[arg(long)]
         record: bool,
     },
-    /// Draws the same scenes with pineda, lavapipe, SwiftShader and euc, and compares times and pictures. Debian has lavapipe in `mesa-vulkan-drivers` and SwiftShader in `chromium`
+    /// Draws the same scenes with pineda, lavapipe, llvmpipe, SwiftShader, euc and Embree, as far as they are installed, and compares times and pictures. Debian has lavapipe in
+    /// `mesa-vulkan-drivers`, llvmpipe in `libegl-mesa0`, SwiftShader in `chromium`, Embree in `libembree-dev`
     #[command(disable_help_flag = true)]
     Compare(Forwarded),
     /// Shows how time and memory grow, from a thousand triangles to ten million and from 256 x 256 pixels to 8192 x 8192

@@ -67,10 +67,15 @@ pub(crate) fn compare(arguments: &[String]) -> Result<(), String> {
         .arg(&native)
         .env("RUSTFLAGS", "-C target-cpu=native"))?;
     let native = native.join("release").join(format!("pineda-compare{}", std::env::consts::EXE_SUFFIX));
-    run(cargo().args(["run", "--release", "--", "--native"]).arg(native).args(arguments)).map_err(|problem| {
+    let mut program = cargo();
+    program.args(["run", "--release"]);
+    if has_embree() {
+        program.args(["--features", "embree"]);
+    }
+    run(program.args(["--", "--native"]).arg(native).args(arguments)).map_err(|problem| {
         format!(
-            "{problem}\nThe peers: `apt-get install mesa-vulkan-drivers libvulkan1` for lavapipe, `apt-get install chromium` for SwiftShader's \
-             library; euc is a crate. {}/README.md says where they are looked for.",
+            "{problem}\nThe peers: `apt-get install mesa-vulkan-drivers libvulkan1` for lavapipe, `libegl-mesa0 libegl1` for llvmpipe, `chromium` for \
+             SwiftShader's library, `libembree-dev` for Embree; euc is a crate. {}/README.md says where they are looked for.",
             folder.display()
         )
     })
@@ -97,4 +102,12 @@ pub(crate) fn fidelity(arguments: &[String]) -> Result<(), String> {
     compare().map_err(|problem| {
         format!("{problem}\nIt needs Node with npm, and Chromium: `apt-get install nodejs npm chromium`. See fidelity/README.md.")
     })
+}
+
+/// Whether Embree 3 is where a linker finds it.
+fn has_embree() -> bool {
+    let arch = std::env::consts::ARCH;
+    [format!("/usr/lib/{arch}-linux-gnu"), "/usr/lib64".to_owned(), "/usr/lib".to_owned(), "/usr/local/lib".to_owned()]
+        .iter()
+        .any(|folder| Path::new(folder).join("libembree3.so").is_file())
 }

@@ -1,5 +1,7 @@
 //! One file per renderer, behind one trait.
 
+#[cfg(feature = "embree")]
+mod embree;
 mod euc;
 #[cfg(feature = "pineda")]
 mod pineda;
@@ -23,8 +25,12 @@ pub(crate) enum Peer {
     Lavapipe,
     /// Google's Vulkan driver for CPUs, as Chromium ships it, through wgpu.
     Swiftshader,
+    /// Mesa's OpenGL driver for CPUs, the same rasterizer as lavapipe's, through wgpu.
+    Llvmpipe,
     /// The Rust crate euc, one thread.
     Euc,
+    /// Intel's ray tracer: what is seen through each pixel's middle, by one ray each.
+    Embree,
 }
 
 /// A renderer that has a scene loaded: vertices uploaded, pipelines built, memory allocated.
@@ -44,15 +50,19 @@ impl Peer {
     pub(crate) fn load(self, scene: &Scene, threads: usize) -> Result<Box<dyn Backend>> {
         match self {
             Self::Pineda => pineda_backend(scene, threads),
-            Self::Lavapipe | Self::Swiftshader => vulkan_backend(scene),
+            Self::Lavapipe | Self::Swiftshader | Self::Llvmpipe => wgpu_backend(scene, self),
             Self::Euc => Ok(Box::new(euc::Euc::new(scene))),
+            Self::Embree => embree_backend(scene, threads),
         }
     }
 
-    /// Whether it can draw the scene: euc is asked for pictures of opaque surfaces without textures, in one draw, one sample a pixel, only.
+    /// Whether it can draw the scene: euc is asked for pictures of opaque surfaces without textures, in one draw, one sample a pixel, only; OpenGL has no triangles' numbers and gives no depths away
+    /// through wgpu; Embree says what is seen, and does not shade it.
     pub(crate) fn draws(self, scene: SceneName) -> bool {
-        self != Self::Euc
-            || matches!(
+        match self {
+            Self::Pineda | Self::Lavapipe | Self::Swiftshader => true,
+            Self::Llvmpipe => !matches!(scene, SceneName::DepthOnly | SceneName::Ids),
+            Self::Euc => matches!(
                 scene,
                 SceneName::FillFrontToBack
                     | SceneName::FillBackToFront
@@ -61,7 +71,9 @@ impl Peer {
                     | SceneName::Knot256
                     | SceneName::Slivers
                     | SceneName::ColdStart
-            )
+            ),
+            Self::Embree => matches!(scene, SceneName::DepthOnly | SceneName::Ids),
+        }
     }
 
     /// How many of so many threads the renderer can make use of.
@@ -75,7 +87,9 @@ impl Peer {
             Self::Pineda => "pineda",
             Self::Lavapipe => "lavapipe",
             Self::Swiftshader => "swiftshader",
+            Self::Llvmpipe => "llvmpipe",
             Self::Euc => "euc",
+            Self::Embree => "embree",
         }
     }
 }
@@ -90,12 +104,23 @@ fn pineda_backend(_: &Scene, _: usize) -> Result<Box<dyn Backend>> {
     anyhow::bail!("this build has no pineda; build with the feature `pineda`")
 }
 
+#[cfg(feature = "embree")]
+fn embree_backend(scene: &Scene, threads: usize) -> Result<Box<dyn Backend>> {
+    Ok(Box::new(embree::Embree::new(scene, threads)?))
+}
+
+#[cfg(not(feature = "embree"))]
+fn embree_backend(_: &Scene, _: usize) -> Result<Box<dyn Backend>> {
+    anyhow::bail!("this build has no Embree; build with the feature `embree`")
+}
+
 #[cfg(feature = "vulkan")]
-fn vulkan_backend(scene: &Scene) -> Result<Box<dyn Backend>> {
-    Ok(Box::new(vulkan::Vulkan::new(scene)?))
+fn wgpu_backend(scene: &Scene, peer: Peer) -> Result<Box<dyn Backend>> {
+    let backends = if peer == Peer::Llvmpipe { wgpu::Backends::GL } else { wgpu::Backends::VULKAN };
+    Ok(Box::new(vulkan::Vulkan::new(scene, backends)?))
 }
 
 #[cfg(not(feature = "vulkan"))]
-fn vulkan_backend(_: &Scene) -> Result<Box<dyn Backend>> {
+fn wgpu_backend(_: &Scene, _: Peer) -> Result<Box<dyn Backend>> {
     anyhow::bail!("this build has no Vulkan; build with the feature `vulkan`")
 }

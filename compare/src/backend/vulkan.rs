@@ -1,4 +1,4 @@
-//! lavapipe and SwiftShader: Vulkan through wgpu, headless. Which of the two answers is decided by the environment of the process.
+//! lavapipe and SwiftShader: Vulkan through wgpu, headless; and llvmpipe: OpenGL, the same way. Which of the two answers is decided by the environment of the process.
 
 mod textures;
 
@@ -37,8 +37,8 @@ pub(super) struct Vulkan {
 }
 
 impl Vulkan {
-    pub(super) fn new(scene: &Scene) -> Result<Self> {
-        let Device { version, device, queue } = Device::open(wgpu::Features::PRIMITIVE_INDEX)?;
+    pub(super) fn new(scene: &Scene, backends: wgpu::Backends) -> Result<Self> {
+        let Device { version, device, queue } = Device::open(backends, wgpu::Features::PRIMITIVE_INDEX)?;
         let records: Vec<u8> = scene.draws.iter().flat_map(|draw| uniforms(scene, draw)).collect();
         let uniforms = device.create_buffer_init(&BufferInitDescriptor {
             label: None,

@@ -40,7 +40,7 @@ struct Attachments {
 
 impl Theirs {
     pub(crate) fn new() -> Result<Self> {
-        let device = Device::open(WANTED)?;
+        let device = Device::open(wgpu::Backends::VULKAN, WANTED)?;
         let module = device.device.create_shader_module(wgpu::include_wgsl!("theirs.wgsl"));
         let reader = |name| {
             device.device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
