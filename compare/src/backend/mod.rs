@@ -56,12 +56,13 @@ impl Peer {
         }
     }
 
-    /// Whether it can draw the scene: euc is asked for pictures of opaque surfaces without textures, in one draw, one sample a pixel, only; OpenGL has no triangles' numbers and gives no depths away
-    /// through wgpu; Embree says what is seen, and does not shade it.
+    /// Whether it can draw the scene: SwiftShader has no triangles' numbers, OpenGL through wgpu neither those nor depths to give away nor comparisons with depth maps at a level; euc is asked for pictures
+    /// of opaque surfaces without textures, in one draw, one sample a pixel, only; Embree says what is seen, and does not shade it.
     pub(crate) fn draws(self, scene: SceneName) -> bool {
         match self {
-            Self::Pineda | Self::Lavapipe | Self::Swiftshader => true,
-            Self::Llvmpipe => !matches!(scene, SceneName::DepthOnly | SceneName::Ids),
+            Self::Pineda | Self::Lavapipe => true,
+            Self::Swiftshader => scene != SceneName::Ids,
+            Self::Llvmpipe => !matches!(scene, SceneName::DepthOnly | SceneName::Ids | SceneName::Shadowed),
             Self::Euc => matches!(
                 scene,
                 SceneName::FillFrontToBack
