@@ -105,7 +105,7 @@ fn print_mean(measurements: &[Measurement], threads: usize) {
 /// How near a picture of layers comes to what must be written anyway.
 fn print_fill(results: &Results, threads: usize) {
     let Some(&(_, rate)) = results.write_bandwidths.iter().find(|(count, _)| *count == threads) else { return };
-    println!("A plain loop writes {rate:.1} GB/s with {threads} threads.");
+    println!("A plain loop writes {rate:.1} GB/s (threads: {threads}).");
     for scene in [SceneName::FillFrontToBack, SceneName::FillBackToFront] {
         let ours = |one: &&Measurement| one.peer == Peer::Pineda && one.scene == scene && one.threads == threads;
         if let Some(ours) = results.measurements.iter().find(ours) {

@@ -5,13 +5,14 @@ use super::Backend;
 use crate::scene::{Output, Scene, Size, gray};
 use anyhow::{Context, Result, bail};
 use embree3::{
-    BufferUsage, Device, Format, GeometryKind, Hit16, INVALID_ID, IntersectContext, Ray16, RayHit16, SceneFlags,
-    ValidMaskN,
+    BufferUsage, Device, DeviceProperty, Format, GeometryKind, Hit16, INVALID_ID, IntersectContext, Ray16, RayHit16,
+    SceneFlags, ValidMaskN,
 };
 use std::borrow::Cow;
 use std::sync::Mutex;
 
 pub(super) struct Embree {
+    version: String,
     scene: embree3::Scene<'static>,
     camera: Camera,
     size: Size,
@@ -27,6 +28,9 @@ impl Embree {
             bail!("Embree is asked for depths and numbers of triangles only");
         }
         let device = Device::new().map_err(wrong).context("no device")?;
+        // 31305 is 3.13.5.
+        let number = device.get_property(DeviceProperty::VERSION).map_err(wrong)?;
+        let version = format!("{}.{}.{}", number / 10_000, number / 100 % 100, number % 100);
         let mut triangles = device.create_geometry(GeometryKind::TRIANGLE).map_err(wrong)?;
         triangles
             .set_new_buffer::<[f32; 3]>(BufferUsage::VERTEX, 0, Format::FLOAT3, 12, scene.vertices.len())
@@ -44,6 +48,7 @@ impl Embree {
         built.commit();
         let threads = if threads == 0 { std::thread::available_parallelism().map_or(1, usize::from) } else { threads };
         Ok(Self {
+            version,
             scene: built,
             camera: Camera::new(scene.draws[0].clip_from_world, scene.size),
             size: scene.size,
@@ -60,7 +65,7 @@ fn wrong(error: embree3::Error) -> anyhow::Error {
 
 impl Backend for Embree {
     fn version(&self) -> String {
-        "Embree 3.13, 16 coherent rays at a time, robust, hierarchy built before".to_owned()
+        format!("Embree {}, 16 coherent rays at a time, robust, hierarchy built before", self.version)
     }
 
     fn draw(&mut self) -> Result<()> {

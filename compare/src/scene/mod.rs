@@ -89,7 +89,7 @@ pub(crate) enum Shading {
     Textured(BlinnPhong),
     /// The first texture, as it is, anisotropic.
     Floor,
-    /// Blinn-Phong; the light shines where a depth map lets it: nine comparisons, each filtered, around [`shadow_place`].
+    /// Blinn-Phong; the light shines where a depth map lets it: nine comparisons, each filtered, around the place that the position has in it.
     Shadowed(BlinnPhong),
     /// Metal and dielectrics by glTF 2.0's appendix B (GGX, height-correlated Smith, Schlick) in one light and a little from all around; albedo, normal, roughness and metalness, occlusion and emission
     /// are textures.
