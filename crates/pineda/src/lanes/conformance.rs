@@ -232,6 +232,8 @@ fn float_operations_have_the_same_bits_at_every_level() {
         float splat<L>(lanes, a, b) = L::add(a, lanes.splat(-0.1));
         float iota<L>(lanes, a, b) = L::mul(lanes.iota(), lanes.splat(0.0));
         float select<L>(lanes, a, b) = L::select(L::lt(a, b), a, b);
+        float max<L>(lanes, a, b) = L::max(a, b);
+        float min<L>(lanes, a, b) = L::min(a, b);
     }
 }
 

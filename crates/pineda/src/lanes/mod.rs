@@ -124,6 +124,17 @@ pub trait Lanes: sealed::Sealed + Copy + Debug + Send + Sync + 'static {
     /// `a` where `m` is set, `b` elsewhere; never a mixture of their bits.
     fn select(m: Self::M, a: Self::F, b: Self::F) -> Self::F;
 
+    /// `a` where it is larger, `b` elsewhere: also where either is NaN, or both are zeros.
+    #[inline(always)]
+    fn max(a: Self::F, b: Self::F) -> Self::F {
+        Self::select(Self::lt(b, a), a, b)
+    }
+    /// `a` where it is smaller, `b` elsewhere: also where either is NaN, or both are zeros.
+    #[inline(always)]
+    fn min(a: Self::F, b: Self::F) -> Self::F {
+        Self::select(Self::lt(a, b), a, b)
+    }
+
     /// The mask whose lane `i` is bit `i` of `bits`; bits from [`N`](Self::N) up are ignored.
     fn mask(self, bits: u32) -> Self::M;
     /// Bit `i` is lane `i`; bits from [`N`](Self::N) up are 0.

@@ -142,6 +142,15 @@ impl<S: Simd> Lanes for Packet<S> {
     }
 
     #[inline(always)]
+    fn max(a: f32x16<S>, b: f32x16<S>) -> f32x16<S> {
+        a.max(b)
+    }
+    #[inline(always)]
+    fn min(a: f32x16<S>, b: f32x16<S>) -> f32x16<S> {
+        a.min(b)
+    }
+
+    #[inline(always)]
     fn mask(self, bits: u32) -> mask32x16<S> {
         mask32x16::from_bitmask(self.0, u64::from(bits))
     }

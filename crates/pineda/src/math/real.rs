@@ -44,18 +44,18 @@ impl<L: Lanes> Real<L> {
     }
 
     /// The larger of the two, and `b` where `self` is NaN: so `x.max(0.0)` is never NaN. (Where only `b` is NaN the
-    /// result is NaN; of 0 and -0, `self`.)
+    /// result is NaN; of 0 and -0, `b`.)
     #[inline(always)]
     pub fn max(self, b: impl ToLanes<L, Self>) -> Self {
         let b = b.to_lanes(self.lanes());
-        Self(L::select(L::lt(b.0, self.0), self.0, b.0))
+        Self(L::max(self.0, b.0))
     }
 
     /// The smaller of the two, and `b` where `self` is NaN.
     #[inline(always)]
     pub fn min(self, b: impl ToLanes<L, Self>) -> Self {
         let b = b.to_lanes(self.lanes());
-        Self(L::select(L::lt(self.0, b.0), self.0, b.0))
+        Self(L::min(self.0, b.0))
     }
 
     /// `self.max(low).min(high)`: NaN gives `low`, and `high` wins where `low > high`.

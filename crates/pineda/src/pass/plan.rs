@@ -142,8 +142,7 @@ impl DepthRule {
     pub(crate) fn clamped<S: Simd>(&self, s: S, z: f32x16<S>) -> f32x16<S> {
         let low = f32x16::splat(s, f32::from_bits(self.low as u32));
         let high = f32x16::splat(s, f32::from_bits(self.high as u32));
-        let z = z.simd_gt(low).select(z, low);
-        z.simd_lt(high).select(z, high)
+        z.max(low).min(high)
     }
 
     /// Whether depths are clamped to no less than 0 to 1.

@@ -64,14 +64,14 @@ impl Bias {
             None => exponent.bitcast::<f32x16<S>>() * ULP,
         };
         let (x, y) = (dz_dx.abs(), dz_dy.abs());
-        let steepest = x.simd_gt(y).select(x, y);
+        let steepest = x.max(y);
         let mut offset = unit * self.constant + steepest * self.slope;
         let clamp = f32x16::splat(s, self.clamp);
         if self.clamp > 0.0 {
-            offset = offset.simd_gt(clamp).select(clamp, offset);
+            offset = clamp.min(offset);
         }
         if self.clamp < 0.0 {
-            offset = offset.simd_lt(clamp).select(clamp, offset);
+            offset = clamp.max(offset);
         }
         offset.simd_eq(offset).select(offset, f32x16::splat(s, 0.0))
     }

@@ -93,8 +93,7 @@ impl<S: Simd> Operands<S> {
                     if k == 3 {
                         return value;
                     }
-                    let free = one - target[3];
-                    source[3].simd_lt(free).select(source[3], free)
+                    source[3].min(one - target[3])
                 }
                 BlendFactor::Constant => constant[k],
                 BlendFactor::OneMinusConstant => one - constant[k],

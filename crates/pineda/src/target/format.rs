@@ -346,9 +346,7 @@ pub(crate) fn one_nan<S: Simd>(s: S, x: f32x16<S>) -> f32x16<S> {
 /// Clamps to 0 to 1; NaN counts as 0.
 #[inline(always)]
 pub(crate) fn clamp_unorm<S: Simd>(s: S, x: f32x16<S>) -> f32x16<S> {
-    let (zero, one) = (f32x16::splat(s, 0.0), f32x16::splat(s, 1.0));
-    let x = x.simd_gt(zero).select(x, zero);
-    x.simd_lt(one).select(x, one)
+    x.max(f32x16::splat(s, 0.0)).min(f32x16::splat(s, 1.0))
 }
 
 /// `round(255 x)` of a value clamped to 0 to 1; NaN counts as 0.
@@ -377,10 +375,15 @@ fn to_unorm16<S: Simd>(s: S, x: f32x16<S>) -> u32x16<S> {
 
 /// The low half of each lane, over 65535.
 #[inline(always)]
-fn from_unorm16<S: Simd>(s: S, codes: u32x16<S>) -> f32x16<S> {
+fn from_unorm16<S: Simd>(_: S, codes: u32x16<S>) -> f32x16<S> {
     let low: i32x16<S> = (codes & 0xffff).bitcast();
-    low.to_float() / f32x16::splat(s, 65_535.0)
+    let value: f32x16<S> = low.to_float();
+    value * PART_OF_65535 + value * REST_OF_65535
 }
+
+/// 1 / 65535 is 2^-16 (1 + 2^-16 + 2^-32 + ...): the same as for 255, below.
+pub(crate) const PART_OF_65535: f32 = 1.0 / 65_536.0;
+pub(crate) const REST_OF_65535: f32 = (1.0 / 65_535.0 - PART_OF_65535 as f64) as f32;
 
 #[inline(always)]
 fn to_unorm8<S: Simd>(s: S, x: f32x16<S>) -> u32x16<S> {
@@ -470,6 +473,16 @@ mod tests {
             let found: [f32; 16] =
                 dispatch!(fearless_simd::Level::new(), s => from_unorm8(s, u32x16::simd_from(s, words)).into());
             assert_eq!(found, [code as f32 / 255.0; 16]);
+        }
+    }
+
+    #[test]
+    fn codes_over_65535_are_rounded_once() {
+        for code in 0..=65_535u32 {
+            let words = [code | 0xabcd_0000; 16];
+            let found: [f32; 16] =
+                dispatch!(fearless_simd::Level::new(), s => from_unorm16(s, u32x16::simd_from(s, words)).into());
+            assert_eq!(found, [code as f32 / 65_535.0; 16]);
         }
     }
 }

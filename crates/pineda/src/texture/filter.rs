@@ -55,6 +55,8 @@ impl Kind for Cube {
 
 /// What becomes of a texel before it is filtered.
 pub(super) trait Mapping<L: Lanes>: Copy {
+    /// How many channels are filtered: the others are whatever they are.
+    fn channels<F: Filterable>() -> usize;
     fn map<F: Filterable>(self, channels: [Real<L>; 4]) -> [Real<L>; 4];
 }
 
@@ -63,6 +65,10 @@ pub(super) trait Mapping<L: Lanes>: Copy {
 pub(super) struct AsIs;
 
 impl<L: Lanes> Mapping<L> for AsIs {
+    #[inline(always)]
+    fn channels<F: Filterable>() -> usize {
+        F::CHANNELS
+    }
     #[inline(always)]
     fn map<F: Filterable>(self, channels: [Real<L>; 4]) -> [Real<L>; 4] {
         channels
@@ -78,8 +84,12 @@ pub(super) struct Compared<L: Lanes> {
 
 impl<L: Lanes> Mapping<L> for Compared<L> {
     #[inline(always)]
+    fn channels<F: Filterable>() -> usize {
+        1
+    }
+    #[inline(always)]
     fn map<F: Filterable>(self, channels: [Real<L>; 4]) -> [Real<L>; 4] {
-        let (reference, texel) = (self.reference, F::scaled(channels)[0]);
+        let (reference, texel) = (self.reference, F::scaled_code(channels));
         let lanes = texel.lanes();
         let passes = match self.compare {
             Compare::Never => Bool(lanes.mask(0)),
@@ -91,7 +101,7 @@ impl<L: Lanes> Mapping<L> for Compared<L> {
             Compare::GreaterEqual => reference.ge(texel),
             Compare::Always => Bool(lanes.mask(u32::MAX)),
         };
-        [passes.select(1.0, Real::new(lanes, 0.0)), Real::new(lanes, 0.0), Real::new(lanes, 0.0), Real::new(lanes, 0.0)]
+        [passes.select(1.0, Real::new(lanes, 0.0)); 4]
     }
 }
 
@@ -136,10 +146,15 @@ impl<L: Lanes> LevelLanes<L> {
     }
 }
 
-/// `a + (b - a) * part`, channel by channel.
+/// `a + (b - a) * part`, of as many channels as count.
 #[inline(always)]
-fn between<L: Lanes>(a: [Real<L>; 4], b: [Real<L>; 4], part: Real<L>) -> [Real<L>; 4] {
-    [a[0] + (b[0] - a[0]) * part, a[1] + (b[1] - a[1]) * part, a[2] + (b[2] - a[2]) * part, a[3] + (b[3] - a[3]) * part]
+fn between<L: Lanes>(count: usize, a: [Real<L>; 4], b: [Real<L>; 4], part: Real<L>) -> [Real<L>; 4] {
+    let r = a[0] + (b[0] - a[0]) * part;
+    let g = if count > 1 { a[1] + (b[1] - a[1]) * part } else { a[1] };
+    if count < 3 {
+        return [r, g, a[2], a[3]];
+    }
+    [r, g, a[2] + (b[2] - a[2]) * part, a[3] + (b[3] - a[3]) * part]
 }
 
 #[inline(always)]
@@ -165,8 +180,9 @@ impl<F: Filterable> Lookup<'_, '_, F> {
     ) -> [Real<L>; 4] {
         let lanes = lod.lanes();
         let Sampler { mag_filter, min_filter, mip_filter, .. } = *self.sampler;
-        let last = (self.image.count - 1) as f32;
+        let (channels, last) = (M::channels::<F>(), (self.image.count - 1) as f32);
         let (first, part) = match mip_filter {
+            _ if self.image.count == 1 => (Real::new(lanes, 0.0), Real::new(lanes, 0.0)),
             MipFilter::Base => (Real::new(lanes, 0.0), Real::new(lanes, 0.0)),
             MipFilter::Nearest => ((lod + 0.5).floor().clamp(0.0, last), Real::new(lanes, 0.0)),
             MipFilter::Linear => {
@@ -196,7 +212,7 @@ impl<F: Filterable> Lookup<'_, '_, F> {
                 let nearest = self.nearest::<L, K, M>(lanes, place, &level, mapping);
                 value = choose(is_linear, value, nearest);
             }
-            result = if pass == 0 { value } else { choose(two, between(result, value, part), result) };
+            result = if pass == 0 { value } else { choose(two, between(channels, result, value, part), result) };
             pass += 1;
         }
         result
@@ -274,7 +290,7 @@ impl<F: Filterable> Lookup<'_, '_, F> {
             let slice = if k == 0 { z.low } else { z.high };
             let number = whole(slice.max(0.0).min(depth - 1.0));
             let value = self.slice::<L, K, M>(lanes, &around, level, number, is_beyond(slice, depth), mapping);
-            result = if k == 0 { value } else { between(result, value, z.part) };
+            result = if k == 0 { value } else { between(M::channels::<F>(), result, value, z.part) };
             k += 1;
         }
         result
@@ -319,9 +335,10 @@ impl<F: Filterable> Lookup<'_, '_, F> {
             c = self.or_border(beyond.left | beyond.below | is_beyond_slice, c);
             d = self.or_border(beyond.right | beyond.below | is_beyond_slice, d);
         }
-        let upper = between(mapping.map::<F>(a), mapping.map::<F>(b), x.part);
-        let lower = between(mapping.map::<F>(c), mapping.map::<F>(d), x.part);
-        between(upper, lower, y.part)
+        let channels = M::channels::<F>();
+        let upper = between(channels, mapping.map::<F>(a), mapping.map::<F>(b), x.part);
+        let lower = between(channels, mapping.map::<F>(c), mapping.map::<F>(d), x.part);
+        between(channels, upper, lower, y.part)
     }
 
     /// Two texels of a row.
@@ -373,7 +390,10 @@ impl<F: Filterable> Lookup<'_, '_, F> {
             }
             k += 1;
         }
-        between(between(texels[0], texels[1], x.part), between(texels[2], texels[3], x.part), y.part)
+        let channels = M::channels::<F>();
+        let upper = between(channels, texels[0], texels[1], x.part);
+        let lower = between(channels, texels[2], texels[3], x.part);
+        between(channels, upper, lower, y.part)
     }
 }
 

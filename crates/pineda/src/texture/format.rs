@@ -6,7 +6,7 @@
 
 use crate::lanes::{Lanes, Scalar};
 use crate::math::{Bool, Int, Real, Rgba, RgbaI, RgbaU, Uint};
-use crate::target::format::{ColorFormat, PART_OF_255, REST_OF_255};
+use crate::target::format::{ColorFormat, PART_OF_255, PART_OF_65535, REST_OF_255, REST_OF_65535};
 use crate::target::half::{REBIAS, SMALLEST_NORMAL, SPECIAL};
 use crate::target::srgb::SRGB;
 use bytemuck::Pod;
@@ -37,6 +37,9 @@ pub trait TextureFormat: sealed::Sealed + Copy + Debug + Send + Sync + 'static {
     /// Words that a texel is brought into lanes as.
     #[doc(hidden)]
     const WORDS: usize;
+    /// Whether a texel is half a word, as it lies in memory.
+    #[doc(hidden)]
+    const IS_NARROW: bool = size_of::<Self::Texel>() <= 2 && !Self::IS_SRGB;
     #[doc(hidden)]
     fn words(texel: Self::Texel, decoded: &Decoded) -> [u32; 4];
     /// Words, as what they stand for; 0 in the channels that the format has where `inside` does not hold.
@@ -55,6 +58,12 @@ pub trait Filterable: TextureFormat {
     /// Scales channels, and gives 0 and 1 where the format has none.
     #[doc(hidden)]
     fn scaled<L: Lanes>(channels: [Real<L>; 4]) -> [Real<L>; 4];
+    /// The first channel of a texel that is not filtered, scaled: the same bits as by [`scaled`](Self::scaled), where these take a division and codes do not.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn scaled_code<L: Lanes>(channels: [Real<L>; 4]) -> Real<L> {
+        Self::scaled(channels)[0]
+    }
     /// The texel that is nearest to numbers in linear light.
     #[doc(hidden)]
     fn nearest(numbers: [f32; 4]) -> Self::Texel;
@@ -270,6 +279,10 @@ macro_rules! formats {
             #[inline(always)]
             fn scaled<L: Lanes>([r, g, b, a]: [Real<L>; 4]) -> [Real<L>; 4] {
                 complete($count, [r / 65_535.0, g / 65_535.0, b / 65_535.0, a / 65_535.0])
+            }
+            #[inline(always)]
+            fn scaled_code<L: Lanes>([r, ..]: [Real<L>; 4]) -> Real<L> {
+                r * PART_OF_65535 + r * REST_OF_65535
             }
             fn nearest(numbers: [f32; 4]) -> $texel {
                 let [low, high, ..] = ColorFormat::Unorm16($count).encoded(numbers);

@@ -5,6 +5,7 @@ use super::format::{self, Decoded, Filterable, TextureFormat};
 use super::mipmap;
 use crate::Error;
 use crate::lanes::Lanes;
+use crate::math::Uint;
 use std::borrow::Cow;
 
 /// The largest width and height of a texture, in texels.
@@ -127,7 +128,7 @@ impl<'a, F: TextureFormat> Image<'a, F> {
         let mut words = [[0; 16]; 4];
         let mut k = 0;
         while k < L::N {
-            let texel = F::words(texels[at[k] as usize], self.decoded);
+            let texel = F::words(texels[at[k].cast_unsigned() as usize], self.decoded);
             let mut w = 0;
             while w < F::WORDS {
                 words[w][k] = texel[w].cast_signed();
@@ -144,12 +145,28 @@ impl<'a, F: TextureFormat> Image<'a, F> {
         let texels: &[F::Texel] = &self.texels;
         let mut at = [0; 16];
         L::store_int(index, &mut at);
+        let pair = |index: i32| {
+            // From u32, so that `i + 2` does not overflow where an index has 64 bits: one comparison for both bounds.
+            let i = index.cast_unsigned() as usize;
+            let pair = &texels[i..i + 2];
+            [F::words(pair[0], self.decoded), F::words(pair[1], self.decoded)]
+        };
+        if F::IS_NARROW {
+            let mut words = [0; 16];
+            let mut k = 0;
+            while k < L::N {
+                let [a, b] = pair(at[k]);
+                words[k] = (a[0] | b[0] << 16).cast_signed();
+                k += 1;
+            }
+            let zero = lanes.int(0);
+            let words = Uint::<L>(lanes.load_int(&words));
+            return [[(words & 0xffff).0, zero, zero, zero], [(words >> 16).0, zero, zero, zero]];
+        }
         let mut pairs = [[0u64; 16]; 4];
         let mut k = 0;
         while k < L::N {
-            let i = at[k] as usize;
-            let pair = &texels[i..i + 2];
-            let (a, b) = (F::words(pair[0], self.decoded), F::words(pair[1], self.decoded));
+            let [a, b] = pair(at[k]);
             let mut w = 0;
             while w < F::WORDS {
                 pairs[w][k] = u64::from(a[w]) | u64::from(b[w]) << 32;

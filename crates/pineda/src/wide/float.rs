@@ -136,6 +136,18 @@ impl<S: Simd> f64x16<S> {
 }
 
 impl<S: Simd> f32x16<S> {
+    /// The larger of the two, and `other` where either is NaN or both are zeros: `self > other ? self : other`.
+    #[inline(always)]
+    pub(crate) fn max(self, other: Self) -> Self {
+        if S::MAX_COMPARES { Self(self.0.max(other.0)) } else { self.simd_gt(other).select(self, other) }
+    }
+
+    /// The smaller of the two, and `other` where either is NaN or both are zeros: `self < other ? self : other`.
+    #[inline(always)]
+    pub(crate) fn min(self, other: Self) -> Self {
+        if S::MAX_COMPARES { Self(self.0.min(other.0)) } else { self.simd_lt(other).select(self, other) }
+    }
+
     /// The largest whole number that is not larger.
     #[inline(always)]
     pub(crate) fn floor(self) -> Self {
