@@ -120,15 +120,21 @@ impl<'a, F: TextureFormat> Image<'a, F> {
     }
 
     /// The texels of lanes, as words. Each index must be that of a texel.
+    ///
+    /// So no index exceeds what it is limited to here. But the compiler knows then, too, and it limits all lanes at once: instead of a comparison and a branch a lane, after which indices
+    /// waited in memory until the last one was judged.
     #[inline(always)]
     pub(super) fn gather<L: Lanes>(&self, lanes: L, index: L::I) -> [L::I; 4] {
+        let zero = lanes.int(0);
         let texels: &[F::Texel] = &self.texels;
+        let Some(last) = texels.len().checked_sub(1) else { return [zero; 4] };
+        let last = u32::try_from(last).unwrap_or(u32::MAX);
         let mut at = [0; 16];
         L::store_int(index, &mut at);
         let mut words = [[0; 16]; 4];
         let mut k = 0;
         while k < L::N {
-            let texel = F::words(texels[at[k].cast_unsigned() as usize], self.decoded);
+            let texel = F::words(texels[at[k].cast_unsigned().min(last) as usize], self.decoded);
             let mut w = 0;
             while w < F::WORDS {
                 words[w][k] = texel[w].cast_signed();
@@ -142,13 +148,16 @@ impl<'a, F: TextureFormat> Image<'a, F> {
     /// The same of two neighbours each: the texel that an index names, and the next one.
     #[inline(always)]
     pub(super) fn gather_pairs<L: Lanes>(&self, lanes: L, index: L::I) -> [[L::I; 4]; 2] {
+        let zero = lanes.int(0);
+        let mut both = [[zero; 4]; 2];
         let texels: &[F::Texel] = &self.texels;
+        let Some(last) = texels.len().checked_sub(2) else { return both };
+        let last = u32::try_from(last).unwrap_or(u32::MAX);
         let mut at = [0; 16];
         L::store_int(index, &mut at);
         let pair = |index: i32| {
-            // From u32, so that `i + 2` does not overflow where an index has 64 bits: one comparison for both bounds.
-            let i = index.cast_unsigned() as usize;
-            let pair = &texels[i..i + 2];
+            let first = index.cast_unsigned().min(last) as usize;
+            let pair = &texels[first..first + 2];
             [F::words(pair[0], self.decoded), F::words(pair[1], self.decoded)]
         };
         if F::IS_NARROW {
@@ -159,9 +168,9 @@ impl<'a, F: TextureFormat> Image<'a, F> {
                 words[k] = (a[0] | b[0] << 16).cast_signed();
                 k += 1;
             }
-            let zero = lanes.int(0);
             let words = Uint::<L>(lanes.load_int(&words));
-            return [[(words & 0xffff).0, zero, zero, zero], [(words >> 16).0, zero, zero, zero]];
+            (both[0][0], both[1][0]) = ((words & 0xffff).0, (words >> 16).0);
+            return both;
         }
         let mut pairs = [[0u64; 16]; 4];
         let mut k = 0;
@@ -174,8 +183,6 @@ impl<'a, F: TextureFormat> Image<'a, F> {
             }
             k += 1;
         }
-        let zero = lanes.int(0);
-        let mut both = [[zero; 4]; 2];
         let mut w = 0;
         while w < F::WORDS {
             (both[0][w], both[1][w]) = lanes.halves_of_pairs(&pairs[w]);
