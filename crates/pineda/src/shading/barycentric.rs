@@ -48,6 +48,12 @@ impl<S: Simd> Barycentric<S> {
         }
         this
     }
+
+    /// A varying, from its values at the vertices.
+    #[inline(always)]
+    fn at(&self, f: Corner3<S>) -> f32x16<S> {
+        (f.f0 + self.b1 * f.d1) + self.b2 * f.d2
+    }
 }
 
 /// Both kinds of barycentric coordinates.
@@ -67,6 +73,12 @@ impl<S: Simd> Both<S> {
             perspective
         };
         Self { perspective, linear }
+    }
+
+    /// A varying with perspective, from its values at the vertices.
+    #[inline(always)]
+    pub(crate) fn plain(&self, f: Corner3<S>) -> f32x16<S> {
+        self.perspective.at(f)
     }
 
     /// Varying `k` and its derivatives, from its values at the vertices.
@@ -90,7 +102,7 @@ impl<S: Simd> Both<S> {
             Interpolation::Perspective => &self.perspective,
             Interpolation::NoPerspective => &self.linear,
         };
-        rows.here[k] = ((f.f0 + b.b1 * f.d1) + b.b2 * f.d2).into();
+        rows.here[k] = b.at(f).into();
         if FULL && layout.derivatives {
             rows.dx[k] = (b.dx[0] * f.d1 + b.dx[1] * f.d2).into();
             rows.dy[k] = (b.dy[0] * f.d1 + b.dy[1] * f.d2).into();

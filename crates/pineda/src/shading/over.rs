@@ -9,8 +9,8 @@
 use super::blend::blend;
 use super::shade::{Shading, channels, keep};
 use crate::pass::{Blend, ColorMask, ColorState};
-use crate::target::format::{ColorFormat, from_bytes, to_bytes};
-use crate::wide::{Simd, mask32x16, u32x16};
+use crate::target::format::{ColorFormat, from_bytes, from_unorm8, to_bytes, unorm8_code};
+use crate::wide::{Simd, f32x16, mask32x16, u32x16};
 
 const ONE: u32 = 1.0f32.to_bits();
 const OPAQUE: u32 = 0xff00_0000;
@@ -36,18 +36,23 @@ pub(crate) fn merge_over<S: Simd>(s: S, shading: &mut Shading<'_>) {
         let there = u32x16::simd_from(s, *words);
         let source = channels(s, &packet.color);
         // As integers, everything below 0 and NaN are larger than 1.
-        let [r, g, b, a] = source;
-        let (r, g, b, a): (u32x16<S>, u32x16<S>, u32x16<S>, u32x16<S>) =
-            (r.bitcast(), g.bitcast(), b.bitcast(), a.bitcast());
-        let is_within = !r.max(g).max(b.max(a)).simd_gt(ONE).any_true();
+        let bits: [u32x16<S>; 4] = [source[0].bitcast(), source[1].bitcast(), source[2].bitcast(), source[3].bitcast()];
+        let is_within = !bits[0].max(bits[1]).max(bits[2].max(bits[3])).simd_gt(ONE).any_true();
         let is_opaque = !there.simd_lt(OPAQUE).any_true();
         let new = if is_within & is_opaque {
-            let [r, g, b, _] = blend(s, &Blend::ALPHA, false, source, source, from_bytes(s, there));
-            to_bytes(s, [r, g, b]) | OPAQUE
+            let [r, g, b, a] = source;
+            (over(s, r, a, there, 0) | over(s, g, a, there, 8)) | (over(s, b, a, there, 16) | OPAQUE)
         } else {
             to_bytes(s, blend(s, &Blend::ALPHA, true, source, source, from_bytes(s, there)))
         };
         *words = alive.select(new, there).into();
         i += 1;
     }
+}
+
+/// The code of a channel of an opaque target, `shift` bits up as it lies there, after `channel` of that alpha went over it. One by one, so that no channel waits in memory for the others.
+#[inline(always)]
+fn over<S: Simd>(s: S, channel: f32x16<S>, alpha: f32x16<S>, there: u32x16<S>, shift: u32) -> u32x16<S> {
+    let free = f32x16::splat(s, 1.0) - alpha;
+    unorm8_code(channel * alpha + from_unorm8(s, there >> shift) * free) << shift
 }

@@ -334,6 +334,13 @@ impl PacketBatch {
         (fragments, PacketRows { here, dx, dy, z, barycentrics })
     }
 
+    /// The rows of packet `k` that hold varyings, where no derivatives are asked for.
+    #[inline(always)]
+    pub(crate) fn plain_rows(&mut self, k: usize) -> &mut [[f32; 16]] {
+        let first = self.aligned + 16 * k * self.rows_each;
+        self.rows[first..first + 16 * self.rows_each].as_chunks_mut().0
+    }
+
     /// What the fragments of packet `k` have beside a colour.
     #[inline(always)]
     pub(crate) fn more(&self, k: usize) -> &[Row4] {

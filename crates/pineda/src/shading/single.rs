@@ -314,7 +314,7 @@ fn admit<S: Simd>(
 ) -> Option<usize> {
     let depth = i32x16::simd_from(s, packet.depth);
     let there = i32x16::simd_from(s, tile.depth[packet.block as usize]);
-    let mask = compare.passes_by_case(s, depth, there).to_bitmask() as u32 & packet.mask;
+    let mask = compare.passing_lanes(s, depth, there) & packet.mask;
     if mask == 0 {
         return None;
     }
@@ -337,13 +337,13 @@ fn set_rows<S: Simd>(
     inv_w: [f32x16<S>; 3],
 ) {
     let both = Both::new::<false>(s, &Weights::from_edges::<false>(edges, edges, edges, inv_w), layout);
-    let (_, mut rows) = batch.packet(packet);
+    let rows = batch.plain_rows(packet);
     let mut i = 0;
     while i < single.varying_count.min(MAX_VARYINGS) {
         let k = single.varying[i] as usize & (MAX_VARYINGS - 1);
         let [f0, d1, d2] = single.corners[k];
         let corner = Corner3 { f0: f32x16::splat(s, f0), d1: f32x16::splat(s, d1), d2: f32x16::splat(s, d2) };
-        both.set::<false>(layout, &mut rows, k, corner);
+        rows[k] = both.plain(corner).into();
         i += 1;
     }
 }

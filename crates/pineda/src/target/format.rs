@@ -387,14 +387,13 @@ pub(crate) const REST_OF_65535: f32 = (1.0 / 65_535.0 - PART_OF_65535 as f64) as
 
 #[inline(always)]
 fn to_unorm8<S: Simd>(s: S, x: f32x16<S>) -> u32x16<S> {
-    let code: i32x16<S> = (clamp_unorm(s, x) * 255.0 + 0.5).to_int();
-    code.bitcast()
+    unorm8_code(clamp_unorm(s, x))
 }
 
 /// The low byte of each lane, over 255: the nearest f32, without a division. 1 / 255 is taken in two parts, of which the first has so few bits
 /// that its product is exact.
 #[inline(always)]
-fn from_unorm8<S: Simd>(_: S, codes: u32x16<S>) -> f32x16<S> {
+pub(crate) fn from_unorm8<S: Simd>(_: S, codes: u32x16<S>) -> f32x16<S> {
     let low: i32x16<S> = (codes & 255).bitcast();
     let value: f32x16<S> = low.to_float();
     value * PART_OF_255 + value * REST_OF_255
@@ -411,15 +410,14 @@ pub(crate) fn from_bytes<S: Simd>(s: S, p: u32x16<S>) -> Channels<S> {
 
 /// Packed 8-bit codes of channels, red in the lowest byte, all of them known to be from 0 to 1.
 #[inline(always)]
-pub(crate) fn to_bytes<S: Simd, const N: usize>(s: S, channels: [f32x16<S>; N]) -> u32x16<S> {
-    let mut packed = u32x16::splat(s, 0);
-    let mut k = 0;
-    while k < N {
-        let code: i32x16<S> = (channels[k] * 255.0 + 0.5).to_int();
-        packed = packed | (code.bitcast::<u32x16<S>>() << (8 * k as u32));
-        k += 1;
-    }
-    packed
+pub(crate) fn to_bytes<S: Simd>(_: S, [r, g, b, a]: Channels<S>) -> u32x16<S> {
+    unorm8_code(r) | (unorm8_code(g) << 8) | (unorm8_code(b) << 16) | (unorm8_code(a) << 24)
+}
+
+/// The 8-bit code of what is known to be from 0 to 1.
+#[inline(always)]
+pub(crate) fn unorm8_code<S: Simd>(x: f32x16<S>) -> u32x16<S> {
+    (x * 255.0 + 0.5).to_int().bitcast()
 }
 
 /// The sRGB codes of three channels, packed, alpha 0.

@@ -155,16 +155,11 @@ impl<'a, F: TextureFormat> Image<'a, F> {
         let last = u32::try_from(last).unwrap_or(u32::MAX);
         let mut at = [0; 16];
         L::store_int(index, &mut at);
-        let pair = |index: i32| {
-            let first = index.cast_unsigned().min(last) as usize;
-            let pair = &texels[first..first + 2];
-            [F::words(pair[0], self.decoded), F::words(pair[1], self.decoded)]
-        };
         if F::IS_NARROW {
             let mut words = [0; 16];
             let mut k = 0;
             while k < L::N {
-                let [a, b] = pair(at[k]);
+                let [a, b] = self.pair(texels, at[k].cast_unsigned().min(last));
                 words[k] = (a[0] | b[0] << 16).cast_signed();
                 k += 1;
             }
@@ -175,7 +170,7 @@ impl<'a, F: TextureFormat> Image<'a, F> {
         let mut pairs = [[0u64; 16]; 4];
         let mut k = 0;
         while k < L::N {
-            let [a, b] = pair(at[k]);
+            let [a, b] = self.pair(texels, at[k].cast_unsigned().min(last));
             let mut w = 0;
             while w < F::WORDS {
                 pairs[w][k] = u64::from(a[w]) | u64::from(b[w]) << 32;
@@ -189,6 +184,13 @@ impl<'a, F: TextureFormat> Image<'a, F> {
             w += 1;
         }
         both
+    }
+
+    /// A texel and the next one.
+    #[inline(always)]
+    fn pair(&self, texels: &[F::Texel], first: u32) -> [[u32; 4]; 2] {
+        let pair = &texels[first as usize..first as usize + 2];
+        [F::words(pair[0], self.decoded), F::words(pair[1], self.decoded)]
     }
 }
 

@@ -154,18 +154,19 @@ impl Compare {
             | (mask32x16::splat(s, greater) & new.simd_gt(there))
     }
 
-    /// The same by one comparison, for loops in which a branch that always goes the same way costs less than two comparisons more.
+    /// A bit for each lane that passes, by one comparison: for loops in which a branch that always goes the same way costs less than two comparisons more.
     #[inline(always)]
-    pub(crate) fn passes_by_case<S: Simd>(self, s: S, new: i32x16<S>, there: i32x16<S>) -> mask32x16<S> {
+    pub(crate) fn passing_lanes<S: Simd>(self, _: S, new: i32x16<S>, there: i32x16<S>) -> u32 {
+        // Bits in each case by itself: a mask that comes out of one of eight cases is taken apart and put together again.
         match self {
-            Self::Never => mask32x16::splat(s, false),
-            Self::Less => new.simd_lt(there),
-            Self::Equal => new.simd_eq(there),
-            Self::LessEqual => new.simd_le(there),
-            Self::Greater => new.simd_gt(there),
-            Self::NotEqual => !new.simd_eq(there),
-            Self::GreaterEqual => new.simd_ge(there),
-            Self::Always => mask32x16::splat(s, true),
+            Self::Never => 0,
+            Self::Less => new.simd_lt(there).to_bitmask() as u32,
+            Self::Equal => new.simd_eq(there).to_bitmask() as u32,
+            Self::LessEqual => new.simd_le(there).to_bitmask() as u32,
+            Self::Greater => new.simd_gt(there).to_bitmask() as u32,
+            Self::NotEqual => (!new.simd_eq(there)).to_bitmask() as u32,
+            Self::GreaterEqual => new.simd_ge(there).to_bitmask() as u32,
+            Self::Always => 0xffff,
         }
     }
 }

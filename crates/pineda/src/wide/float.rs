@@ -18,7 +18,8 @@ vector! {
 }
 
 splat! { f32x16: f32; f64x8: f64; }
-from_slice! { f32x16: f32; }
+load! { f32x16: f32, f32x8; }
+from_array! { f64x8: [f64; 8]; }
 store_slice! { f32x16: f32; }
 words! { f32x16 }
 compress! { f32x16 }

@@ -28,7 +28,8 @@ vector! {
 }
 
 splat! { i32x16: i32; u32x16: u32; }
-from_slice! { i32x16: i32; u32x16: u32; }
+load! { i32x16: i32, i32x8; u32x16: u32, u32x8; }
+from_array! { i64x8: [i64; 8]; u32x8: [u32; 8]; u32x4: [u32; 4]; }
 store_slice! { i32x16: i32; u32x16: u32; }
 words! { i32x16 }
 words! { u32x16 }

@@ -12,37 +12,40 @@ pub trait Simd: fearless_simd::Simd {
     const MULTIPLIES: bool;
     /// The same of shifts by as many bits as another vector's lanes say.
     const SHIFTS_EACH: bool;
+    /// Whether a packet is two registers.
+    const HAS_HALVES: bool;
     /// Whether the level's maximum and minimum of floats are x86's, `a > b ? a : b` and `a < b ? a : b` to the bit, of NaN and zeros too. Elsewhere they treat these in other ways.
     const MAX_COMPARES: bool;
 }
 
 macro_rules! levels {
-    ($($(#[$condition:meta])* $token:ty: $is_plain:literal, $can_pick:literal, $multiplies:literal, $shifts_each:literal, $max_compares:literal;)+) => {$(
+    ($($(#[$condition:meta])* $token:ty: $is_plain:literal, $can_pick:literal, $multiplies:literal, $shifts_each:literal, $has_halves:literal, $max_compares:literal;)+) => {$(
         $(#[$condition])*
         impl Simd for $token {
             const IS_PLAIN: bool = $is_plain;
             const CAN_PICK: bool = $can_pick;
             const MULTIPLIES: bool = $multiplies;
             const SHIFTS_EACH: bool = $shifts_each;
+            const HAS_HALVES: bool = $has_halves;
             const MAX_COMPARES: bool = $max_compares;
         }
     )+};
 }
 
 levels! {
-    fearless_simd::Fallback: true, false, false, false, false;
+    fearless_simd::Fallback: true, false, false, false, false, false;
     #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-    fearless_simd::x86::Sse2: false, false, false, false, true;
+    fearless_simd::x86::Sse2: false, false, false, false, false, true;
     #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-    fearless_simd::x86::Sse4_2: false, false, true, false, true;
+    fearless_simd::x86::Sse4_2: false, false, true, false, false, true;
     #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-    fearless_simd::x86::Avx2: false, false, true, true, true;
+    fearless_simd::x86::Avx2: false, false, true, true, true, true;
     #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-    fearless_simd::x86::Avx512: false, true, true, true, true;
+    fearless_simd::x86::Avx512: false, true, true, true, false, true;
     #[cfg(target_arch = "aarch64")]
-    fearless_simd::aarch64::Neon: false, false, true, true, false;
+    fearless_simd::aarch64::Neon: false, false, true, true, false, false;
     #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
-    fearless_simd::wasm32::WasmSimd128: false, false, true, false, false;
+    fearless_simd::wasm32::WasmSimd128: false, false, true, false, false, false;
 }
 
 /// `fearless_simd::dispatch!` for code that is generic over the [`Simd`] of this module: evaluates the expression, with the level's

@@ -28,13 +28,6 @@ macro_rules! vector {
             }
         }
 
-        impl<S: Simd> SimdFrom<[$lane; $count], S> for $name<S> {
-            #[inline(always)]
-            fn simd_from(simd: S, lanes: [$lane; $count]) -> Self {
-                Self(fearless_simd::$name::simd_from(simd, lanes))
-            }
-        }
-
         impl<S: Simd> SimdFrom<$lane, S> for $name<S> {
             #[inline(always)]
             fn simd_from(simd: S, value: $lane) -> Self {
@@ -67,14 +60,38 @@ macro_rules! splat {
     )+};
 }
 
-/// Loads from slices. Panics if the length is not the number of lanes.
-macro_rules! from_slice {
-    ($($name:ident: $lane:ty;)+) => {$(
+/// Making vectors from arrays.
+macro_rules! from_array {
+    ($($name:ident: [$lane:ty; $count:literal];)+) => {$(
+        impl<S: Simd> SimdFrom<[$lane; $count], S> for $name<S> {
+            #[inline(always)]
+            fn simd_from(simd: S, lanes: [$lane; $count]) -> Self {
+                Self(fearless_simd::$name::simd_from(simd, lanes))
+            }
+        }
+    )+};
+}
+
+/// Making packets from arrays, and from slices, which panics if the length is not the number of lanes.
+macro_rules! load {
+    ($($name:ident: $lane:ty, $half:ident;)+) => {$(
         impl<S: Simd> $name<S> {
             /// Loads a slice. Panics if its length is not the number of lanes.
             #[inline(always)]
             pub(crate) fn from_slice(simd: S, lanes: &[$lane]) -> Self {
+                if S::HAS_HALVES {
+                    let (low, high) = lanes.split_at(8);
+                    let half = |lanes| fearless_simd::$half::from_slice(simd, lanes);
+                    return Self(half(low).combine(half(high)));
+                }
                 Self(fearless_simd::$name::from_slice(simd, lanes))
+            }
+        }
+
+        impl<S: Simd> SimdFrom<[$lane; 16], S> for $name<S> {
+            #[inline(always)]
+            fn simd_from(simd: S, lanes: [$lane; 16]) -> Self {
+                if S::HAS_HALVES { Self::from_slice(simd, &lanes) } else { Self(fearless_simd::$name::simd_from(simd, lanes)) }
             }
         }
     )+};
