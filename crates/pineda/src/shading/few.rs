@@ -94,8 +94,8 @@ fn from_cache<S: Simd, const N: usize, const FULL: bool>(
 struct Pick<S: Simd, const N: usize> {
     /// The lanes of each.
     masks: [mask32x16<S>; N],
-    /// Where the words of each lane's triangle stand among the rows of its four, as [`u32x16::pick`] takes them.
-    places: [u32x16<S>; 4],
+    /// Each lane's triangle among its four, as [`u32x16::pick_in_fours`] takes it; or where its first word stands among the rows of these, as [`u32x16::pick`] does.
+    place: u32x16<S>,
     /// The lanes of the last four.
     is_late: mask32x16<S>,
 }
@@ -104,51 +104,71 @@ impl<S: Simd, const N: usize> Pick<S, N> {
     #[inline(always)]
     fn new(s: S, distinct: &Distinct) -> Self {
         let mut masks = [mask32x16::from_bitmask(s, 0); N];
+        let each = if S::CAN_PICK { 4 } else { 1 };
         let mut place = u32x16::splat(s, u32x16::<S>::place(0));
         let mut late = 0;
         let mut t = 1;
         while t < N {
             masks[t] = mask32x16::from_bitmask(s, u64::from(distinct.masks[t]));
-            place = masks[t].select(u32x16::splat(s, u32x16::<S>::place(4 * (t as u32 % 4))), place);
+            place = masks[t].select(u32x16::splat(s, u32x16::<S>::place(each * (t as u32 % 4))), place);
             late |= if t < 4 { 0 } else { distinct.masks[t] };
             t += 1;
         }
-        let step = u32x16::<S>::place(1) - u32x16::<S>::place(0);
-        let places = [place, place + step, place + 2 * step, place + 3 * step];
-        Self { masks, places, is_late: mask32x16::from_bitmask(s, u64::from(late)) }
+        Self { masks, place, is_late: mask32x16::from_bitmask(s, u64::from(late)) }
     }
 
     /// Row `r` of each lane's triangle.
     #[inline(always)]
     fn row(&self, s: S, triangles: &[&[[u32; 4]]; N], r: usize) -> [u32x16<S>; 4] {
+        if N >= 4 && (S::CAN_PICK || S::CAN_PICK_IN_FOURS) {
+            let mut row = self.row_of_four(s, triangles, r, 0);
+            if N > 4 {
+                let late = self.row_of_four(s, triangles, r, 4);
+                let mut i = 0;
+                while i < 4 {
+                    row[i] = self.is_late.select(late[i], row[i]);
+                    i += 1;
+                }
+            }
+            return row;
+        }
         let mut row = [u32x16::splat(s, 0); 4];
         let mut i = 0;
         while i < 4 {
-            if S::CAN_PICK && N >= 4 {
-                row[i] = rows_of_four(s, triangles, r, 0).pick(self.places[i]);
-                if N > 4 {
-                    row[i] = self.is_late.select(rows_of_four(s, triangles, r, 4).pick(self.places[i]), row[i]);
-                }
-            } else {
-                row[i] = u32x16::splat(s, triangles[0][r][i]);
-                let mut t = 1;
-                while t < N {
-                    row[i] = self.masks[t].select(u32x16::splat(s, triangles[t][r][i]), row[i]);
-                    t += 1;
-                }
+            row[i] = u32x16::splat(s, triangles[0][r][i]);
+            let mut t = 1;
+            while t < N {
+                row[i] = self.masks[t].select(u32x16::splat(s, triangles[t][r][i]), row[i]);
+                t += 1;
             }
             i += 1;
         }
         row
     }
-}
 
-/// Row `r` of triangles `t` to `t + 3`.
-#[inline(always)]
-fn rows_of_four<S: Simd, const N: usize>(s: S, triangles: &[&[[u32; 4]]; N], r: usize, t: usize) -> u32x16<S> {
-    let a = u32x4::simd_from(s, triangles[t % N][r]);
-    let b = u32x4::simd_from(s, triangles[(t + 1) % N][r]);
-    let c = u32x4::simd_from(s, triangles[(t + 2) % N][r]);
-    let d = u32x4::simd_from(s, triangles[(t + 3) % N][r]);
-    a.combine(b).combine(c.combine(d))
+    /// The same of one of triangles `t` to `t + 3`: of all four rows as one vector with one instruction a word, or of a word of all four with one for each register.
+    #[inline(always)]
+    fn row_of_four(&self, s: S, triangles: &[&[[u32; 4]]; N], r: usize, t: usize) -> [u32x16<S>; 4] {
+        let a = u32x4::simd_from(s, triangles[t % N][r]);
+        let b = u32x4::simd_from(s, triangles[(t + 1) % N][r]);
+        let c = u32x4::simd_from(s, triangles[(t + 2) % N][r]);
+        let d = u32x4::simd_from(s, triangles[(t + 3) % N][r]);
+        if S::CAN_PICK {
+            let (rows, next) = (a.combine(b).combine(c.combine(d)), u32x16::<S>::place(1) - u32x16::<S>::place(0));
+            let place = self.place;
+            return [
+                rows.pick(place),
+                rows.pick(place + next),
+                rows.pick(place + 2 * next),
+                rows.pick(place + 3 * next),
+            ];
+        }
+        let [x, y, z, w] = u32x4::transpose([a, b, c, d]);
+        [
+            u32x16::repeat(x).pick_in_fours(self.place),
+            u32x16::repeat(y).pick_in_fours(self.place),
+            u32x16::repeat(z).pick_in_fours(self.place),
+            u32x16::repeat(w).pick_in_fours(self.place),
+        ]
+    }
 }

@@ -171,6 +171,56 @@ impl<S: Simd> u32x16<S> {
             Self(self.0.swizzle_dyn(places.0.bitcast::<fearless_simd::u8x64<S>>()))
         )
     }
+
+    /// The same four lanes, four times.
+    #[inline(always)]
+    pub(crate) fn repeat(four: u32x4<S>) -> Self {
+        let eight = four.combine(four);
+        eight.combine(eight)
+    }
+
+    /// For each lane, that one of the four lanes it is among whose [`place`](Self::place), from 0 to 3, is given.
+    #[inline(always)]
+    pub(crate) fn pick_in_fours(self, places: Self) -> Self {
+        by_level!(
+            {
+                let (mut lanes, places) = (self.lanes(), places.lanes());
+                let mut k = 0;
+                while k < 16 {
+                    lanes[k] = self.lanes()[(k & 12) | (places[k] as usize / 4) & 3];
+                    k += 1;
+                }
+                Self::simd_from(self.token(), lanes)
+            },
+            Self(self.0.swizzle_dyn_within_blocks(places.0.bitcast::<fearless_simd::u8x64<S>>()))
+        )
+    }
+}
+
+impl<S: Simd> u32x4<S> {
+    /// The lanes of both in turn.
+    #[inline(always)]
+    fn interleave(self, other: Self) -> (Self, Self) {
+        by_level!(
+            {
+                let (a, b) = (self.lanes(), other.lanes());
+                let four = |lanes: [u32; 4]| Self::simd_from(self.token(), lanes);
+                (four([a[0], b[0], a[1], b[1]]), four([a[2], b[2], a[3], b[3]]))
+            },
+            {
+                let (low, high) = self.0.interleave(other.0);
+                (Self(low), Self(high))
+            }
+        )
+    }
+
+    /// Rows to columns.
+    #[inline(always)]
+    pub(crate) fn transpose([a, b, c, d]: [Self; 4]) -> [Self; 4] {
+        let ((ac, ac_high), (bd, bd_high)) = (a.interleave(c), b.interleave(d));
+        let ((first, second), (third, fourth)) = (ac.interleave(bd), ac_high.interleave(bd_high));
+        [first, second, third, fourth]
+    }
 }
 
 impl<S: Simd> i64x8<S> {

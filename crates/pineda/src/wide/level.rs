@@ -8,6 +8,8 @@ pub trait Simd: fearless_simd::Simd {
     const IS_PLAIN: bool;
     /// Whether [`u32x16::pick`](super::u32x16::pick) is one instruction.
     const CAN_PICK: bool;
+    /// Whether [`u32x16::pick_in_fours`](super::u32x16::pick_in_fours) is one instruction for each register.
+    const CAN_PICK_IN_FOURS: bool;
     /// Whether there are instructions that multiply 32-bit integers. Without, `fearless_simd` takes vectors apart and puts them together again, lane by lane: a loop is shorter.
     const MULTIPLIES: bool;
     /// The same of shifts by as many bits as another vector's lanes say.
@@ -19,11 +21,12 @@ pub trait Simd: fearless_simd::Simd {
 }
 
 macro_rules! levels {
-    ($($(#[$condition:meta])* $token:ty: $is_plain:literal, $can_pick:literal, $multiplies:literal, $shifts_each:literal, $has_halves:literal, $max_compares:literal;)+) => {$(
+    ($($(#[$condition:meta])* $token:ty: $is_plain:literal, $can_pick:literal, $in_fours:literal, $multiplies:literal, $shifts_each:literal, $has_halves:literal, $max_compares:literal;)+) => {$(
         $(#[$condition])*
         impl Simd for $token {
             const IS_PLAIN: bool = $is_plain;
             const CAN_PICK: bool = $can_pick;
+            const CAN_PICK_IN_FOURS: bool = $in_fours;
             const MULTIPLIES: bool = $multiplies;
             const SHIFTS_EACH: bool = $shifts_each;
             const HAS_HALVES: bool = $has_halves;
@@ -33,19 +36,19 @@ macro_rules! levels {
 }
 
 levels! {
-    fearless_simd::Fallback: true, false, false, false, false, false;
+    fearless_simd::Fallback: true, false, false, false, false, false, false;
     #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-    fearless_simd::x86::Sse2: false, false, false, false, false, true;
+    fearless_simd::x86::Sse2: false, false, false, false, false, false, true;
     #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-    fearless_simd::x86::Sse4_2: false, false, true, false, false, true;
+    fearless_simd::x86::Sse4_2: false, false, true, true, false, false, true;
     #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-    fearless_simd::x86::Avx2: false, false, true, true, true, true;
+    fearless_simd::x86::Avx2: false, false, true, true, true, true, true;
     #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-    fearless_simd::x86::Avx512: false, true, true, true, false, true;
+    fearless_simd::x86::Avx512: false, true, true, true, true, false, true;
     #[cfg(target_arch = "aarch64")]
-    fearless_simd::aarch64::Neon: false, false, true, true, false, false;
+    fearless_simd::aarch64::Neon: false, false, true, true, true, false, false;
     #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
-    fearless_simd::wasm32::WasmSimd128: false, false, true, false, false, false;
+    fearless_simd::wasm32::WasmSimd128: false, false, true, true, false, false, false;
 }
 
 /// `fearless_simd::dispatch!` for code that is generic over the [`Simd`] of this module: evaluates the expression, with the level's
