@@ -203,7 +203,7 @@ fn check(name: &str, light: impl Fn(&mut Renderer) -> Environment, settings: &Pb
 
 #[test]
 fn pbr_golden() {
-    let studio = |renderer: &mut Renderer| Environment::studio(renderer).unwrap();
+    let studio = |_: &mut Renderer| Environment::studio().unwrap();
     check("pbr", studio, &PbrSettings::default(), 0x8e48_273f_afcf_cd76);
 }
 
@@ -248,7 +248,7 @@ fn pbr_neither_makes_nor_loses_light() {
 #[test]
 fn pbr_leaves_the_background_to_others() {
     let mut renderer = Renderer::new(Settings::default()).unwrap();
-    let environment = Environment::studio(&mut renderer).unwrap();
+    let environment = Environment::studio().unwrap();
     let bare = draw(&environment, &PbrSettings { ground: false, ..PbrSettings::default() }, &mut renderer);
     let grounded = draw(&environment, &PbrSettings::default(), &mut renderer);
     let mut shadowed = 0;
@@ -266,7 +266,7 @@ fn pbr_leaves_the_background_to_others() {
 #[test]
 fn pbr_blends_back_faces_before_front_faces() {
     let mut renderer = Renderer::new(Settings::default()).unwrap();
-    let environment = Environment::studio(&mut renderer).unwrap();
+    let environment = Environment::studio().unwrap();
     let settings = PbrSettings { samples: Samples::One, ..PbrSettings::default() };
     let mut draw = |is_reversed: bool, double_sided: bool| {
         let glaze = Material {
@@ -356,7 +356,7 @@ fn pbr_lamps_light_as_much_as_they_do_in_the_scene() {
 #[test]
 fn pbr_of_what_is_cut_out_is_as_if_it_was_not_there() {
     let mut renderer = Renderer::new(Settings::default()).unwrap();
-    let environment = Environment::studio(&mut renderer).unwrap();
+    let environment = Environment::studio().unwrap();
     let mut draw = |roof: Option<AlphaMode>| {
         let matt = Material { metallic_factor: 0.0, ..Material::gltf() };
         let alpha_mode = roof.unwrap_or(AlphaMode::Opaque);
@@ -383,7 +383,7 @@ fn pbr_of_what_is_cut_out_is_as_if_it_was_not_there() {
 #[test]
 fn pbr_of_a_size_that_cannot_be_is_an_error() {
     let mut renderer = Renderer::new(Settings::default()).unwrap();
-    let environment = Environment::studio(&mut renderer).unwrap();
+    let environment = Environment::studio().unwrap();
     let mut scene = balls();
     let framing = Framing::new(&Bounds::of(&scene).unwrap(), &View::default()).unwrap();
     let stage = Stage::new(&mut scene, &framing, 1.0, 0.0).unwrap();
