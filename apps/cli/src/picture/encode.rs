@@ -5,7 +5,7 @@ use crate::failure::Failure;
 use crate::srgb::SRGB;
 use crate::values::Size;
 use exr::prelude::{Image, SpecificChannels, Vec2, WritableImage};
-use png::{BitDepth, ColorType, Compression, SrgbRenderingIntent};
+use png::{BitDepth, ColorType, DeflateCompression, Filter, SrgbRenderingIntent};
 use std::io::Cursor;
 
 impl Picture {
@@ -32,8 +32,10 @@ impl Picture {
         let mut encoder = png::Encoder::new(&mut bytes, self.size.width, self.size.height);
         encoder.set_color(color);
         encoder.set_depth(depth);
-        encoder.set_compression(Compression::Balanced);
+        // Half or less of the time of the library's usual level, 6, for files that are 7 % larger; without filters 8-bit pictures, whose backgrounds change slowly, are as small as with them.
+        encoder.set_deflate_compression(DeflateCompression::Level(3));
         if depth == BitDepth::Eight {
+            encoder.set_filter(Filter::NoFilter);
             encoder.set_source_srgb(SrgbRenderingIntent::Perceptual);
         }
         let written = encoder.write_header().and_then(|mut writer| {
