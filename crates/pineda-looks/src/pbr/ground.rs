@@ -3,6 +3,7 @@
 //! Two shadows: the key light's, and that of the light from all around, which is dark where something is close above. Both are smooth, and so they are drawn once to a small map of the ground.
 
 use super::caster::Caster;
+use super::nearest::Nearest;
 use super::paint::{self, Corner, Paint};
 use super::shadow::{self, DISC, Shadow};
 use crate::stage::Stage;
@@ -15,6 +16,11 @@ use pineda::{
 const SIZE: u32 = 256;
 /// How far the ground reaches, in the model's own reach.
 const REACH: f32 = 2.6;
+/// How far around it is looked what is above, in parts of the map: close by and farther away, and how much each counts.
+const ABOVE: [(f32, f32); 2] = [(0.012, 0.55), (0.05, 0.45)];
+/// How soft the key light's shadow is, in parts of its map: near what casts it and far from it.
+const SOFTNESS: [f32; 2] = [0.012, 0.06];
+const _: () = assert!(ABOVE[1].0 < Nearest::WITHIN && SOFTNESS[1] < Nearest::WITHIN);
 
 /// The ground's shadow, and where it lies.
 #[derive(Debug)]
@@ -27,38 +33,54 @@ pub(super) struct Ground {
 #[derive(Debug)]
 pub(super) struct Darkness<'a> {
     heights: &'a Texture2d<'a, R32F>,
-    shadow: Option<&'a Shadow>,
+    lowest: &'a Nearest,
+    /// And what is nearest to the light.
+    shadow: Option<(&'a Shadow, Nearest)>,
     /// Half the ground's side.
     reach: f32,
     center: [f32; 3],
 }
 
 impl Darkness<'_> {
+    /// Most of the ground is open and lit: no filter is asked there, for it would say so.
     #[shader(apart(pixel))]
     pub(super) fn color<L: Lanes>(&self, pixel: Vec2<L>) -> Rgba<L> {
         let at = pixel * (1.0 / SIZE as f32);
+        let away = (at - 0.5) * 2.0;
+        let fade = 1.0 - away.length().smoothstep(0.55, 1.0);
+        let is_seen = fade.gt(0.0);
+        let mut open = at.x * 0.0 + 1.0;
+        if (is_seen & self.lowest.around(at).lt(1.0)).any() {
+            open -= self.hidden(at) * 0.75;
+        }
+        if let Some((shadow, nearest)) = &self.shadow {
+            let [x, y, z] = self.center;
+            let place = Vec3::new(away.x * self.reach + x, Real::new(at.lanes(), y), away.y * self.reach + z);
+            let there = shadow.seen_from_light(place);
+            if (is_seen & there.z.gt(nearest.around(there.xy()))).any() {
+                // Softer where it is farther from what casts it, which is where it is farther from the middle.
+                let soft = away.length().smoothstep(0.15, 0.8);
+                let [sharp, blurred] = SOFTNESS.map(|softness| shadow.lit_within(place, softness));
+                open *= 1.0 - 0.42 * (1.0 - sharp.mix(blurred, soft));
+            }
+        }
+        Rgba::gray((1.0 - open) * fade)
+    }
+
+    /// How much of the light from all around a place is hidden from by what is above it.
+    #[shader(apart(at))]
+    fn hidden<L: Lanes>(&self, at: Vec2<L>) -> Real<L> {
         let sampler = Sampler { wrap: [Wrap::Border; 3], border: [1.0; 4], ..Sampler::BILINEAR };
         let mut hidden = at.x * 0.0;
         for [x, y] in DISC {
             // Close things darken a little of the ground much, higher ones much of it a little.
-            for (radius, weight) in [(0.012, 0.55), (0.05, 0.45)] {
+            for (radius, weight) in ABOVE {
                 let height = self.heights.sample_level(&sampler, at + [x * radius, y * radius], 0.0).r;
                 let near = 1.0 - height;
                 hidden += near * near * (weight / DISC.len() as f32);
             }
         }
-        let away = (at - 0.5) * 2.0;
-        let [x, y, z] = self.center;
-        let mut open = 1.0 - 0.75 * hidden;
-        if let Some(shadow) = self.shadow {
-            let place = Vec3::new(away.x * self.reach + x, Real::new(at.lanes(), y), away.y * self.reach + z);
-            // Softer where it is farther from what casts it, which is where it is farther from the middle.
-            let soft = away.length().smoothstep(0.15, 0.8);
-            let lit = shadow.lit_within(place, 0.012).mix(shadow.lit_within(place, 0.06), soft);
-            open *= 1.0 - 0.42 * (1.0 - lit);
-        }
-        let fade = 1.0 - away.length().smoothstep(0.55, 1.0);
-        Rgba::gray((1.0 - open) * fade)
+        hidden
     }
 }
 
@@ -103,8 +125,13 @@ impl Ground {
         for row in heights.chunks_exact_mut(SIZE as usize) {
             row.reverse();
         }
+        let lowest = Nearest::new(&heights, SIZE as usize)?;
         let heights = Texture2d::new(SIZE, SIZE, heights)?;
-        let darkness = Paint::Darkness(Darkness { heights: &heights, shadow, reach, center });
+        let shadow = match shadow {
+            Some(shadow) => Some((shadow, shadow.nearest()?)),
+            None => None,
+        };
+        let darkness = Paint::Darkness(Darkness { heights: &heights, lowest: &lowest, shadow, reach, center });
         let mut map = vec![0.0; (SIZE * SIZE) as usize];
         let color = ColorBuffer::R32F(&mut map);
         paint::map(&darkness, Target { color, ..Target::new(SIZE, SIZE) }, renderer)?;

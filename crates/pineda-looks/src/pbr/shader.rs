@@ -305,7 +305,10 @@ impl Surface<'_, '_> {
         let mut diffuse = scattered * open;
         if let Some((color, shadow)) = light.key {
             let falls = normal.dot(shadow.toward).max(0.0) * geometric.dot(shadow.toward).gt(0.0).select(one, 0.0);
-            diffuse += Vec3::new(one, one, one) * color * (falls * shadow.lit(seen.position, geometric));
+            // Where no light falls, no shadow does.
+            if falls.gt(0.0).any() {
+                diffuse += Vec3::new(one, one, one) * color * (falls * shadow.lit(seen.position, geometric));
+            }
         }
         let facing = Facing { position: seen.position, geometric, normal, to_eye, f0, strength, roughness };
         let mut glints = f0 * 0.0;

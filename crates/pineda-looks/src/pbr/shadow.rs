@@ -1,6 +1,7 @@
 //! The key light's shadow: a map of what it sees, looked up with a wide filter ("percentage closer filtering", Reeves, Salesin and Cook 1987).
 
 use super::caster::Caster;
+use super::nearest::Nearest;
 use crate::Vertex;
 use crate::stage::{Prop, Stage};
 use pineda::{
@@ -125,14 +126,25 @@ impl Shadow {
     pub(super) fn lit_within<L: Lanes>(&self, position: Vec3<L>, softness: f32) -> Real<L> {
         // Beyond the map everything is lit.
         let sampler = Sampler { wrap: [Wrap::Border; 3], border: [1.0; 4], ..Sampler::SHADOW };
-        let place = (self.map_from_world * position.extend(1.0)).xyz();
-        // Behind everything that the map shows it is no darker.
-        let depth = place.z.min(1.0);
+        let place = self.seen_from_light(position);
         let mut sum = Real::new(position.lanes(), 0.0);
         for [x, y] in DISC {
             let place_there = place.xy() + [x * softness, y * softness];
-            sum += self.map.sample_compare(&sampler, place_there, depth);
+            sum += self.map.sample_compare(&sampler, place_there, place.z);
         }
         sum * (1.0 / DISC.len() as f32)
+    }
+
+    /// Where a place lies in the map, and its depth there.
+    #[shader]
+    pub(super) fn seen_from_light<L: Lanes>(&self, position: Vec3<L>) -> Vec3<L> {
+        let Vec3 { x, y, z } = (self.map_from_world * position.extend(1.0)).xyz();
+        // Behind everything that the map shows it is no darker.
+        Vec3::new(x, y, z.min(1.0))
+    }
+
+    /// What is nearest to the light around each place of the map.
+    pub(super) fn nearest(&self) -> Result<Nearest, Error> {
+        Nearest::new(self.map.texels(0), SIZE as usize)
     }
 }
