@@ -142,7 +142,7 @@ pub fn draw(
     let key = if environment.has_key && settings.shadows {
         let toward = [0, 1, 2].map(|k| (0..3).map(|axis| studio::KEY[axis] * axes[axis][k]).sum());
         // Glass casts a shadow, too.
-        Some(Shadow::new(stage, toward, &casters, |prop| part(prop) != Part::Blended, renderer)?)
+        Some(Shadow::new(stage, toward, width.max(height), &casters, |prop| part(prop) != Part::Blended, renderer)?)
     } else {
         None
     };
