@@ -4,8 +4,9 @@
 
 use super::caster::Caster;
 use super::nearest::Nearest;
+use super::overhead;
 use super::paint::{self, Corner, Paint};
-use super::shadow::{self, DISC, Shadow};
+use super::shadow::{self, Shadow};
 use crate::stage::Stage;
 use pineda::{
     ColorBuffer, Compare, DepthBias, DepthState, DrawState, Error, Lanes, Mat4, R32F, Real, Renderer, Rgba, Sampler,
@@ -16,11 +17,9 @@ use pineda::{
 const SIZE: u32 = 256;
 /// How far the ground reaches, in the model's own reach.
 const REACH: f32 = 2.6;
-/// How far around it is looked what is above, in parts of the map: close by and farther away, and how much each counts.
-const ABOVE: [(f32, f32); 2] = [(0.012, 0.55), (0.05, 0.45)];
 /// How soft the key light's shadow is, in parts of its map: near what casts it and far from it.
 const SOFTNESS: [f32; 2] = [0.012, 0.06];
-const _: () = assert!(ABOVE[1].0 < Nearest::WITHIN && SOFTNESS[1] < Nearest::WITHIN);
+const _: () = assert!(SOFTNESS[1] < Nearest::WITHIN);
 
 /// The ground's shadow, and where it lies.
 #[derive(Debug)]
@@ -34,8 +33,8 @@ pub(super) struct Ground {
 /// How dark the ground is.
 #[derive(Debug)]
 pub(super) struct Darkness<'a> {
-    heights: &'a Texture2d<'a, R32F>,
-    lowest: &'a Nearest,
+    /// How much is hidden from light from all around.
+    hidden: &'a Texture2d<'a, R32F>,
     /// And what is nearest to the light.
     shadow: Option<(&'a Shadow, Nearest)>,
     /// Half the ground's side.
@@ -44,17 +43,15 @@ pub(super) struct Darkness<'a> {
 }
 
 impl Darkness<'_> {
-    /// Most of the ground is open and lit: no filter is asked there, for it would say so.
+    /// Most of the ground is lit: no filter is asked there, for it would say so.
     #[shader(apart(pixel))]
     pub(super) fn color<L: Lanes>(&self, pixel: Vec2<L>) -> Rgba<L> {
         let at = pixel * (1.0 / SIZE as f32);
         let away = (at - 0.5) * 2.0;
         let fade = 1.0 - away.length().smoothstep(0.55, 1.0);
         let is_seen = fade.gt(0.0);
-        let mut open = at.x * 0.0 + 1.0;
-        if (is_seen & self.lowest.around(at).lt(1.0)).any() {
-            open -= self.hidden(at) * 0.75;
-        }
+        let hidden = self.hidden.fetch(pixel.x.floor().to_int(), pixel.y.floor().to_int(), 0).r;
+        let mut open = 1.0 - 0.75 * hidden;
         if let Some((shadow, nearest)) = &self.shadow {
             let [x, y, z] = self.center;
             let place = Vec3::new(away.x * self.reach + x, Real::new(at.lanes(), y), away.y * self.reach + z);
@@ -67,22 +64,6 @@ impl Darkness<'_> {
             }
         }
         Rgba::gray((1.0 - open) * fade)
-    }
-
-    /// How much of the light from all around a place is hidden from by what is above it.
-    #[shader(apart(at))]
-    fn hidden<L: Lanes>(&self, at: Vec2<L>) -> Real<L> {
-        let sampler = Sampler { wrap: [Wrap::Border; 3], border: [1.0; 4], ..Sampler::BILINEAR };
-        let mut hidden = at.x * 0.0;
-        for [x, y] in DISC {
-            // Close things darken a little of the ground much, higher ones much of it a little.
-            for (radius, weight) in ABOVE {
-                let height = self.heights.sample_level(&sampler, at + [x * radius, y * radius], 0.0).r;
-                let near = 1.0 - height;
-                hidden += near * near * (weight / DISC.len() as f32);
-            }
-        }
-        hidden
     }
 }
 
@@ -127,13 +108,12 @@ impl Ground {
         for row in heights.chunks_exact_mut(SIZE as usize) {
             row.reverse();
         }
-        let lowest = Nearest::new(&heights, SIZE as usize)?;
-        let heights = Texture2d::new(SIZE, SIZE, heights)?;
+        let hidden = Texture2d::new(SIZE, SIZE, overhead::hidden(&heights, SIZE as usize))?;
         let shadow = match shadow {
             Some(shadow) => Some((shadow, shadow.nearest()?)),
             None => None,
         };
-        let darkness = Paint::Darkness(Darkness { heights: &heights, lowest: &lowest, shadow, reach, center });
+        let darkness = Paint::Darkness(Darkness { hidden: &hidden, shadow, reach, center });
         let mut map = vec![0.0; (SIZE * SIZE) as usize];
         let color = ColorBuffer::R32F(&mut map);
         paint::map(&darkness, Target { color, ..Target::new(SIZE, SIZE) }, renderer)?;

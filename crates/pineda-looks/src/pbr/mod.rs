@@ -8,7 +8,7 @@
 //!        -> Caster        what hides light: props, less what is cut out of them (`caster.rs`)
 //!        -> Shadow        what the key light sees (`shadow.rs`)
 //!        -> Occlusion     what is hidden from light from all around (`occlusion.rs`)
-//!        -> Ground        both shadows on the ground (`ground.rs`), looked for where there are any (`nearest.rs`)
+//!        -> Ground        both shadows on the ground (`ground.rs`, `overhead.rs`), the key light's where there is any (`nearest.rs`)
 //!        -> Behind        the opaque part, for what lets light through (`transmission.rs`)
 //! all of it -> Surface    the fragment stage (`shader.rs`, `brdf.rs`, `tone.rs`)
 //! ```
@@ -23,6 +23,7 @@ mod lamps;
 mod material;
 mod nearest;
 mod occlusion;
+mod overhead;
 mod paint;
 mod shader;
 mod shadow;
