@@ -57,3 +57,36 @@ impl Nearest {
 fn lesser(a: f32, b: f32) -> f32 {
     if a < b { a } else { b }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Single texels here and there, at the borders, too: none that a bilinear lookup within reach would find is overlooked, and far from all of them there is nothing.
+    #[test]
+    fn nearest_overlooks_nothing() {
+        for size in [256, 512] {
+            let mut depths = vec![1.0; size * size];
+            let found =
+                [(0, 0, 0.5), (size - 1, 7, 0.25), (size / 2, size / 2 + 3, 0.75), (size / 2 + 9, size - 1, 0.1)];
+            for (x, y, depth) in found {
+                depths[y * size + x] = depth;
+            }
+            let nearest = Nearest::new(&depths, size).unwrap();
+            let mut empty = 0;
+            for (x, y) in
+                (0..64 * 64).map(|k| [k % 64, k / 64].map(|c| (c as f32 - 12.0) / 40.0 + 0.003)).map(<[f32; 2]>::into)
+            {
+                let reach = |at: f32, texel: usize| {
+                    (at * size as f32 - (texel as f32 + 0.5)).abs() < Nearest::WITHIN * size as f32 + 1.0
+                };
+                let seen = found.into_iter().filter(|&(column, row, _)| reach(x, column) && reach(y, row));
+                let least = seen.map(|(.., depth)| depth).fold(1.0, lesser);
+                let around = f32::from(nearest.around(Vec2::<pineda::Scalar>::from([x, y])));
+                assert!(around <= least, "{around} > {least} at {x}, {y} of {size}");
+                empty += u32::from(around == 1.0);
+            }
+            assert!(empty > 2000, "{empty}");
+        }
+    }
+}
