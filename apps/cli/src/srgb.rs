@@ -7,9 +7,9 @@ pub(crate) static SRGB: LazyLock<Srgb> = LazyLock::new(Srgb::new);
 
 pub(crate) struct Srgb {
     decoded: [f32; 256],
-    /// Where each code's successor begins: the light of the code plus a half.
-    thresholds: [f32; 255],
-    /// For each 4096th of the range the code that it begins with.
+    /// Where each code's successor begins: the light of the code plus a half. 255 has none.
+    thresholds: [f32; 256],
+    /// For each 4096th of the range the code that it begins with. Codes are at least 1 / (12.92 x 255) wide, which is more: at most one begins within it.
     start: [u8; Self::STEPS + 1],
 }
 
@@ -17,7 +17,8 @@ impl Srgb {
     const STEPS: usize = 4096;
 
     fn new() -> Self {
-        let thresholds: [f32; 255] = std::array::from_fn(|code| linear(code as f64 + 0.5) as f32);
+        let mut thresholds: [f32; 256] = std::array::from_fn(|code| linear(code as f64 + 0.5) as f32);
+        thresholds[255] = f32::INFINITY;
         Self {
             decoded: std::array::from_fn(|code| linear(code as f64) as f32),
             thresholds,
@@ -36,11 +37,9 @@ impl Srgb {
     pub(crate) fn encode(&self, light: f32) -> u8 {
         // A cast of NaN or of a negative number gives 0.
         let step = ((light * Self::STEPS as f32) as usize).min(Self::STEPS);
-        let mut code = self.start[step];
-        while code < 255 && light >= self.thresholds[usize::from(code)] {
-            code += 1;
-        }
-        code
+        let code = self.start[step];
+        // 255, whose threshold is infinite, is the most that the table has; infinite light must not go beyond.
+        code.saturating_add(u8::from(light >= self.thresholds[usize::from(code)]))
     }
 }
 

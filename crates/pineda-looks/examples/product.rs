@@ -22,7 +22,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let framing = Framing::new(&bounds, &View::default())?;
     let start = Instant::now();
     let mut renderer = Renderer::new(Settings::default())?;
-    let environment = Environment::studio(&mut renderer)?;
+    let environment = Environment::studio()?;
     println!("environment {:?}", start.elapsed());
     let start = Instant::now();
     let stage = Stage::new(&mut scene, &framing, 1.0, 40.0).ok_or("nothing to draw")?;

@@ -1,6 +1,6 @@
 //! Physically based pictures of balls of many materials, by hash of the raw pixels: the same at every SIMD level, with any number of threads and any tile size.
 //!
-//! `PINEDA_PICTURES=1 cargo test -p pineda-looks --test pbr` writes the pictures to `target/tmp/pbr.png` and `target/tmp/pbr-lamps.png`.
+//! `PINEDA_PICTURES=1 cargo test -p pineda-looks --test pbr` writes the pictures to `target/tmp/pbr.png`, `pbr-large.png` and `pbr-lamps.png`.
 
 #![allow(missing_docs, reason = "a test")]
 
@@ -161,11 +161,15 @@ fn balls() -> Scene {
 }
 
 fn draw(environment: &Environment, settings: &PbrSettings, renderer: &mut Renderer) -> Vec<[f32; 4]> {
+    draw_sized(SIZE, environment, settings, renderer)
+}
+
+fn draw_sized(size: u32, environment: &Environment, settings: &PbrSettings, renderer: &mut Renderer) -> Vec<[f32; 4]> {
     let mut scene = balls();
     let view = View { elevation: 38.0, ..View::default() };
     let framing = Framing::new(&Bounds::of(&scene).unwrap(), &view).unwrap();
     let stage = Stage::new(&mut scene, &framing, 1.0, 0.0).unwrap();
-    pbr::draw(&stage, &scene, environment, settings, [SIZE; 2], renderer).unwrap()
+    pbr::draw(&stage, &scene, environment, settings, [size; 2], renderer).unwrap()
 }
 
 /// FNV-1a over the bits of all pixels.
@@ -177,24 +181,24 @@ fn hash(pixels: &[[f32; 4]]) -> u64 {
 }
 
 /// Over grey, so that alpha is seen.
-fn write(pixels: &[[f32; 4]], name: &str) {
+fn write(pixels: &[[f32; 4]], size: u32, name: &str) {
     let file = std::fs::File::create(format!("{}/{name}.png", env!("CARGO_TARGET_TMPDIR"))).unwrap();
     let code = |x: f32| (x.clamp(0.0, 1.0).powf(1.0 / 2.2) * 255.0 + 0.5) as u8;
     let bytes: Vec<u8> = pixels.iter().flat_map(|&[r, g, b, a]| [r, g, b].map(|c| code(c + 0.4 * (1.0 - a)))).collect();
-    let mut png = png::Encoder::new(file, SIZE, SIZE);
+    let mut png = png::Encoder::new(file, size, size);
     png.set_color(png::ColorType::Rgb);
     png.write_header().unwrap().write_image_data(&bytes).unwrap();
 }
 
 /// At every level, with several numbers of threads and tile sizes.
-fn check(name: &str, light: impl Fn(&mut Renderer) -> Environment, settings: &PbrSettings, wanted: u64) {
+fn check(name: &str, size: u32, light: impl Fn(&mut Renderer) -> Environment, settings: &PbrSettings, wanted: u64) {
     for (simd, (threads, tile)) in
         Simd::available().into_iter().zip([(1, TileSize::T64), (3, TileSize::T16)].into_iter().cycle())
     {
         let mut renderer = Renderer::new(Settings { simd, threads, tile, ..Settings::default() }).unwrap();
-        let pixels = draw(&light(&mut renderer), settings, &mut renderer);
+        let pixels = draw_sized(size, &light(&mut renderer), settings, &mut renderer);
         if std::env::var_os("PINEDA_PICTURES").is_some() {
-            write(&pixels, name);
+            write(&pixels, size, name);
         }
         let hash = hash(&pixels);
         assert_eq!(hash, wanted, "{name}: {hash:#018x} at {simd}, {threads} threads, {tile:?}");
@@ -203,14 +207,21 @@ fn check(name: &str, light: impl Fn(&mut Renderer) -> Environment, settings: &Pb
 
 #[test]
 fn pbr_golden() {
-    let studio = |renderer: &mut Renderer| Environment::studio(renderer).unwrap();
-    check("pbr", studio, &PbrSettings::default(), 0x8e48_273f_afcf_cd76);
+    let studio = |_: &mut Renderer| Environment::studio().unwrap();
+    check("pbr", SIZE, studio, &PbrSettings::default(), 0xeed4_0134_1ab6_1daa);
+}
+
+/// Larger pictures have a larger map of the key light's shadow.
+#[test]
+fn pbr_golden_large() {
+    let studio = |_: &mut Renderer| Environment::studio().unwrap();
+    check("pbr-large", 288, studio, &PbrSettings::default(), 0x636c_6408_6b79_e90a);
 }
 
 #[test]
 fn pbr_golden_lamps() {
     let dim = |renderer: &mut Renderer| Environment::dim_studio(renderer).unwrap();
-    check("pbr-lamps", dim, &PbrSettings { own_lights: true, ..PbrSettings::default() }, 0x8f91_e08c_556f_11df);
+    check("pbr-lamps", SIZE, dim, &PbrSettings { own_lights: true, ..PbrSettings::default() }, 0x8f91_e08c_556f_11df);
 }
 
 /// A panorama that is white all around, without shadows: nothing is brighter than it, and a white matt surface is as bright.
@@ -248,7 +259,7 @@ fn pbr_neither_makes_nor_loses_light() {
 #[test]
 fn pbr_leaves_the_background_to_others() {
     let mut renderer = Renderer::new(Settings::default()).unwrap();
-    let environment = Environment::studio(&mut renderer).unwrap();
+    let environment = Environment::studio().unwrap();
     let bare = draw(&environment, &PbrSettings { ground: false, ..PbrSettings::default() }, &mut renderer);
     let grounded = draw(&environment, &PbrSettings::default(), &mut renderer);
     let mut shadowed = 0;
@@ -266,7 +277,7 @@ fn pbr_leaves_the_background_to_others() {
 #[test]
 fn pbr_blends_back_faces_before_front_faces() {
     let mut renderer = Renderer::new(Settings::default()).unwrap();
-    let environment = Environment::studio(&mut renderer).unwrap();
+    let environment = Environment::studio().unwrap();
     let settings = PbrSettings { samples: Samples::One, ..PbrSettings::default() };
     let mut draw = |is_reversed: bool, double_sided: bool| {
         let glaze = Material {
@@ -356,7 +367,7 @@ fn pbr_lamps_light_as_much_as_they_do_in_the_scene() {
 #[test]
 fn pbr_of_what_is_cut_out_is_as_if_it_was_not_there() {
     let mut renderer = Renderer::new(Settings::default()).unwrap();
-    let environment = Environment::studio(&mut renderer).unwrap();
+    let environment = Environment::studio().unwrap();
     let mut draw = |roof: Option<AlphaMode>| {
         let matt = Material { metallic_factor: 0.0, ..Material::gltf() };
         let alpha_mode = roof.unwrap_or(AlphaMode::Opaque);
@@ -383,7 +394,7 @@ fn pbr_of_what_is_cut_out_is_as_if_it_was_not_there() {
 #[test]
 fn pbr_of_a_size_that_cannot_be_is_an_error() {
     let mut renderer = Renderer::new(Settings::default()).unwrap();
-    let environment = Environment::studio(&mut renderer).unwrap();
+    let environment = Environment::studio().unwrap();
     let mut scene = balls();
     let framing = Framing::new(&Bounds::of(&scene).unwrap(), &View::default()).unwrap();
     let stage = Stage::new(&mut scene, &framing, 1.0, 0.0).unwrap();

@@ -5,7 +5,7 @@ use crate::failure::Failure;
 use crate::srgb::SRGB;
 use crate::values::Size;
 use exr::prelude::{Image, SpecificChannels, Vec2, WritableImage};
-use png::{BitDepth, ColorType, Compression, SrgbRenderingIntent};
+use png::{BitDepth, ColorType, DeflateCompression, Filter, SrgbRenderingIntent};
 use std::io::Cursor;
 
 impl Picture {
@@ -32,7 +32,12 @@ impl Picture {
         let mut encoder = png::Encoder::new(&mut bytes, self.size.width, self.size.height);
         encoder.set_color(color);
         encoder.set_depth(depth);
-        encoder.set_compression(Compression::Balanced);
+        // Half or less of the time of the library's usual level, 6, for files that are somewhat larger. Pictures with a background, which changes slowly, are about as small without filters as with them; those without would be
+        // up to twice as large.
+        encoder.set_deflate_compression(DeflateCompression::Level(3));
+        if color == ColorType::Rgb {
+            encoder.set_filter(Filter::NoFilter);
+        }
         if depth == BitDepth::Eight {
             encoder.set_source_srgb(SrgbRenderingIntent::Perceptual);
         }

@@ -23,13 +23,12 @@ pub(crate) fn of(arguments: &RenderArguments, how: &How) -> Result<Option<Enviro
             .at(option)
             .help("leave it away, or give --shading pbr"));
     }
-    let mut renderer = how.renderer()?;
     Ok(Some(match (&look.environment, look.lights) {
-        (None, Lights::Studio) => Environment::studio(&mut renderer)?,
-        (None, Lights::Model) => Environment::dim_studio(&mut renderer)?,
+        (None, Lights::Studio) => Environment::studio()?,
+        (None, Lights::Model) => Environment::dim_studio(&mut how.renderer()?)?,
         (Some(path), _) => {
             let (width, height, pixels) = read(path)?;
-            Environment::panorama(width, height, pixels.as_chunks().0, &mut renderer)?
+            Environment::panorama(width, height, pixels.as_chunks().0, &mut how.renderer()?)?
         }
     }))
 }

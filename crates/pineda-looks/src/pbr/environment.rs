@@ -4,7 +4,7 @@
 //!   directions drawn from the GGX lobe around it, each looked up in a level as coarse as the draws are far apart (Křivánek and Colbert 2008, "Filtered importance sampling").
 //! - What scatters: nine numbers a colour (Ramamoorthi and Hanrahan 2001, "An Efficient Representation for Irradiance Environment Maps").
 //!
-//! The filtering is drawn, with this very library.
+//! The filtering is drawn, with this very library. It takes longer than all the rest of a small picture: that of the studio was done once and lies in `studio.bin`.
 
 use super::paint::{self, Paint};
 use super::studio::Studio;
@@ -21,6 +21,9 @@ const LEVELS: u32 = 6;
 /// Directions drawn for each texel of each level but the first.
 const DRAWS: [u32; LEVELS as usize - 1] = [16, 24, 32, 48, 64];
 
+/// The studio's [`Filtered`] light. A test computes it anew and compares; `PINEDA_BLESS=1 cargo test --release -p pineda-looks --lib environment` writes it.
+const STUDIO: &[u8] = include_bytes!("studio.bin");
+
 /// Light that comes from infinitely far away, from all around.
 #[derive(Clone, Debug)]
 pub struct Environment {
@@ -33,21 +36,27 @@ pub struct Environment {
     pub(super) has_key: bool,
 }
 
+/// What light from all around becomes by filtering.
+#[derive(Debug, PartialEq)]
+struct Filtered {
+    /// What mirrors, all levels.
+    levels: Vec<[u16; 4]>,
+    /// What scatters.
+    scattered: [[f32; 3]; 9],
+}
+
 /// How bright the studio is beside other lights.
 const DIMMED: f32 = 0.25;
 
 impl Environment {
-    /// The studio that is made in code. It takes some milliseconds.
+    /// The studio that is made in code.
     ///
-    /// Errors: no memory.
-    pub fn studio(renderer: &mut Renderer) -> Result<Self, Error> {
-        let scattered = harmonics(&paint::faces(&Paint::Studio(Studio { first: 1 }), 16, renderer)?, 16);
-        let faces = paint::faces(&Paint::Studio(Studio { first: 0 }), SIZE, renderer)?;
-        let made = Self::new(faces, scattered, renderer)?;
-        Ok(Self { is_studio: true, has_key: true, ..made })
+    /// Errors: none that are known; they are a texture's.
+    pub fn studio() -> Result<Self, Error> {
+        Ok(Self { is_studio: true, has_key: true, ..Self::new(Filtered::from_bytes(STUDIO))? })
     }
 
-    /// The studio with its key light off and the others dimmed, to be there beside a scene's own lights.
+    /// The studio with its key light off and the others dimmed, to be there beside a scene's own lights. It takes some milliseconds.
     ///
     /// Errors: no memory.
     pub fn dim_studio(renderer: &mut Renderer) -> Result<Self, Error> {
@@ -61,8 +70,8 @@ impl Environment {
             Ok::<_, Error>(faces)
         };
         let scattered = harmonics(&dimmed(16, renderer)?, 16);
-        let made = Self::new(dimmed(SIZE, renderer)?, scattered, renderer)?;
-        Ok(Self { is_studio: true, ..made })
+        let filtered = Filtered::new(dimmed(SIZE, renderer)?, scattered, renderer)?;
+        Ok(Self { is_studio: true, ..Self::new(filtered)? })
     }
 
     /// A panorama: an image, in linear light, of all directions, that of -z in the middle, those of +y along its first row and of -y along its last (as in .hdr and .exr files of environments).
@@ -79,18 +88,11 @@ impl Environment {
         let scattered = harmonics(&paint::faces(&Paint::Panorama(small), 16, renderer)?, 16);
         let panorama = Panorama { picture, level: libm::log2f(level) };
         let faces = paint::faces(&Paint::Panorama(panorama), SIZE, renderer)?;
-        Self::new(faces, scattered, renderer)
+        Self::new(Filtered::new(faces, scattered, renderer)?)
     }
 
     /// Of no studio, without a key light.
-    fn new(faces: Vec<[u16; 4]>, scattered: [[f32; 3]; 9], renderer: &mut Renderer) -> Result<Self, Error> {
-        let source = TextureCube::<Rgba16F>::new(SIZE, &faces[..])?.with_mips()?;
-        let mut levels = faces.clone();
-        for (level, draws) in (1..LEVELS).zip(DRAWS) {
-            let roughness = level as f32 / (LEVELS - 1) as f32;
-            let prefilter = Paint::Prefilter(Prefilter { source: &source, lobe: lobe(roughness, draws) });
-            levels.append(&mut paint::faces(&prefilter, SIZE >> level, renderer)?);
-        }
+    fn new(Filtered { levels, scattered }: Filtered) -> Result<Self, Error> {
         let mirrored = TextureCube::with_levels(SIZE, LEVELS, levels)?;
         Ok(Self { mirrored, scattered, is_studio: false, has_key: false })
     }
@@ -116,6 +118,33 @@ impl Environment {
             sum.max(0.0)
         };
         Vec3::new(channel(0), channel(1), channel(2))
+    }
+}
+
+impl Filtered {
+    /// From what is seen in each direction, faces of `SIZE` x `SIZE` texels.
+    fn new(faces: Vec<[u16; 4]>, scattered: [[f32; 3]; 9], renderer: &mut Renderer) -> Result<Self, Error> {
+        let source = TextureCube::<Rgba16F>::new(SIZE, &faces[..])?.with_mips()?;
+        let mut levels = faces.clone();
+        for (level, draws) in (1..LEVELS).zip(DRAWS) {
+            let roughness = level as f32 / (LEVELS - 1) as f32;
+            let prefilter = Paint::Prefilter(Prefilter { source: &source, lobe: lobe(roughness, draws) });
+            levels.append(&mut paint::faces(&prefilter, SIZE >> level, renderer)?);
+        }
+        Ok(Self { levels, scattered })
+    }
+
+    /// From bytes that hold what scatters as f32, and then the colours of what mirrors, without alpha, as halves; all little-endian.
+    fn from_bytes(bytes: &[u8]) -> Self {
+        let mut scattered = [[0.0; 3]; 9];
+        let (head, texels) = bytes.split_at(size_of_val(&scattered));
+        for (number, bytes) in scattered.as_flattened_mut().iter_mut().zip(head.as_chunks().0) {
+            *number = f32::from_le_bytes(*bytes);
+        }
+        let texel = |&[r, s, g, h, b, c]: &[u8; 6]| {
+            [u16::from_le_bytes([r, s]), u16::from_le_bytes([g, h]), u16::from_le_bytes([b, c]), f32_to_f16(1.0)]
+        };
+        Self { levels: texels.as_chunks().0.iter().map(texel).collect(), scattered }
     }
 }
 
@@ -216,5 +245,33 @@ impl Panorama {
         let light = self.picture.sample_level(&sampler, Vec2::new(u, v), self.level).rgb();
         // A sun's disc would leave specks.
         Rgba::opaque(light.min([500.0; 3]))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use pineda::Settings;
+
+    fn to_bytes(filtered: &Filtered) -> Vec<u8> {
+        let mut bytes: Vec<u8> = filtered.scattered.as_flattened().iter().flat_map(|x| x.to_le_bytes()).collect();
+        for [r, g, b, _] in &filtered.levels {
+            bytes.extend([r, g, b].into_iter().flat_map(|x| x.to_le_bytes()));
+        }
+        bytes
+    }
+
+    #[test]
+    fn environment_of_the_studio_is_what_its_file_holds() {
+        let mut renderer = Renderer::new(Settings::default()).unwrap();
+        let mut faces = |first, size| paint::faces(&Paint::Studio(Studio { first }), size, &mut renderer).unwrap();
+        // The key light scatters by itself, with a shadow.
+        let (mirrored, scattered) = (faces(0, SIZE), harmonics(&faces(1, 16), 16));
+        let computed = Filtered::new(mirrored, scattered, &mut renderer).unwrap();
+        if std::env::var_os("PINEDA_BLESS").is_some() {
+            let path = concat!(env!("CARGO_MANIFEST_DIR"), "/src/pbr/studio.bin");
+            return std::fs::write(path, to_bytes(&computed)).unwrap();
+        }
+        assert!(Filtered::from_bytes(STUDIO) == computed, "the studio has changed: see `STUDIO`");
     }
 }

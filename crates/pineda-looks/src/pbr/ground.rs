@@ -3,61 +3,66 @@
 //! Two shadows: the key light's, and that of the light from all around, which is dark where something is close above. Both are smooth, and so they are drawn once to a small map of the ground.
 
 use super::caster::Caster;
+use super::nearest::Nearest;
+use super::overhead;
 use super::paint::{self, Corner, Paint};
-use super::shadow::{self, DISC, Shadow};
+use super::shadow::{self, Shadow};
 use crate::stage::Stage;
 use pineda::{
     ColorBuffer, Compare, DepthBias, DepthState, DrawState, Error, Lanes, Mat4, R32F, Real, Renderer, Rgba, Sampler,
-    Target, Texture2d, Vec2, Vec3, Wrap, shader,
+    Scissor, Target, Texture2d, Vec2, Vec3, Wrap, shader,
 };
 
 /// Texels of both maps, across and down.
 const SIZE: u32 = 256;
 /// How far the ground reaches, in the model's own reach.
 const REACH: f32 = 2.6;
+/// How soft the key light's shadow is, in parts of its map: near what casts it and far from it.
+const SOFTNESS: [f32; 2] = [0.012, 0.06];
+const _: () = assert!(SOFTNESS[1] < Nearest::WITHIN);
 
 /// The ground's shadow, and where it lies.
 #[derive(Debug)]
 pub(super) struct Ground {
     map: Texture2d<'static, R32F>,
     corners: [[f32; 3]; 4],
+    /// Where the map is dark: the least and the greatest coordinates in it.
+    dark: [[f32; 2]; 2],
 }
 
 /// How dark the ground is.
 #[derive(Debug)]
 pub(super) struct Darkness<'a> {
-    heights: &'a Texture2d<'a, R32F>,
-    shadow: Option<&'a Shadow>,
+    /// How much is hidden from light from all around.
+    hidden: &'a Texture2d<'a, R32F>,
+    /// And what is nearest to the light.
+    shadow: Option<(&'a Shadow, Nearest)>,
     /// Half the ground's side.
     reach: f32,
     center: [f32; 3],
 }
 
 impl Darkness<'_> {
+    /// Most of the ground is lit: no filter is asked there, for it would say so.
     #[shader(apart(pixel))]
     pub(super) fn color<L: Lanes>(&self, pixel: Vec2<L>) -> Rgba<L> {
         let at = pixel * (1.0 / SIZE as f32);
-        let sampler = Sampler { wrap: [Wrap::Border; 3], border: [1.0; 4], ..Sampler::BILINEAR };
-        let mut hidden = at.x * 0.0;
-        for [x, y] in DISC {
-            // Close things darken a little of the ground much, higher ones much of it a little.
-            for (radius, weight) in [(0.012, 0.55), (0.05, 0.45)] {
-                let height = self.heights.sample_level(&sampler, at + [x * radius, y * radius], 0.0).r;
-                let near = 1.0 - height;
-                hidden += near * near * (weight / DISC.len() as f32);
+        let away = (at - 0.5) * 2.0;
+        let fade = 1.0 - away.length().smoothstep(0.55, 1.0);
+        let is_seen = fade.gt(0.0);
+        let hidden = self.hidden.fetch(pixel.x.floor().to_int(), pixel.y.floor().to_int(), 0).r;
+        let mut open = 1.0 - 0.75 * hidden;
+        if let Some((shadow, nearest)) = &self.shadow {
+            let [x, y, z] = self.center;
+            let place = Vec3::new(away.x * self.reach + x, Real::new(at.lanes(), y), away.y * self.reach + z);
+            let there = shadow.seen_from_light(place);
+            if (is_seen & there.z.gt(nearest.around(there.xy()))).any() {
+                // Softer where it is farther from what casts it, which is where it is farther from the middle.
+                let soft = away.length().smoothstep(0.15, 0.8);
+                let [sharp, blurred] = SOFTNESS.map(|softness| shadow.lit_within(place, softness));
+                open *= 1.0 - 0.42 * (1.0 - sharp.mix(blurred, soft));
             }
         }
-        let away = (at - 0.5) * 2.0;
-        let [x, y, z] = self.center;
-        let mut open = 1.0 - 0.75 * hidden;
-        if let Some(shadow) = self.shadow {
-            let place = Vec3::new(away.x * self.reach + x, Real::new(at.lanes(), y), away.y * self.reach + z);
-            // Softer where it is farther from what casts it, which is where it is farther from the middle.
-            let soft = away.length().smoothstep(0.15, 0.8);
-            let lit = shadow.lit_within(place, 0.012).mix(shadow.lit_within(place, 0.06), soft);
-            open *= 1.0 - 0.42 * (1.0 - lit);
-        }
-        let fade = 1.0 - away.length().smoothstep(0.55, 1.0);
         Rgba::gray((1.0 - open) * fade)
     }
 }
@@ -103,14 +108,19 @@ impl Ground {
         for row in heights.chunks_exact_mut(SIZE as usize) {
             row.reverse();
         }
-        let heights = Texture2d::new(SIZE, SIZE, heights)?;
-        let darkness = Paint::Darkness(Darkness { heights: &heights, shadow, reach, center });
+        let hidden = Texture2d::new(SIZE, SIZE, overhead::hidden(&heights, SIZE as usize))?;
+        let shadow = match shadow {
+            Some(shadow) => Some((shadow, shadow.nearest()?)),
+            None => None,
+        };
+        let darkness = Paint::Darkness(Darkness { hidden: &hidden, shadow, reach, center });
         let mut map = vec![0.0; (SIZE * SIZE) as usize];
         let color = ColorBuffer::R32F(&mut map);
         paint::map(&darkness, Target { color, ..Target::new(SIZE, SIZE) }, renderer)?;
         let corners = [[-1.0, -1.0], [-1.0, 1.0], [1.0, 1.0], [1.0, -1.0]];
         let corners = corners.map(|[s, t]: [f32; 2]| [x + s * reach, y, z + t * reach]);
-        Ok(Some(Self { map: Texture2d::new(SIZE, SIZE, map)?, corners }))
+        let dark = dark(&map);
+        Ok(Some(Self { map: Texture2d::new(SIZE, SIZE, map)?, corners, dark }))
     }
 
     /// Its corners in the picture, with where they lie in the map.
@@ -126,8 +136,10 @@ impl Ground {
         Paint::Cast(Cast { ground: self })
     }
 
-    pub(super) fn state() -> DrawState {
+    /// For a picture of this size, of which it bounds the part that is drawn: where the ground is not dark it shows nothing.
+    pub(super) fn state(&self, clip_from_world: Mat4, size: [u32; 2]) -> DrawState {
         DrawState {
+            scissor: self.dark_in_picture(clip_from_world, size),
             blend: pineda::Blend::PREMULTIPLIED,
             // It reaches beyond the camera's far plane, where depths are 1 as they are where nothing is.
             depth: DepthState { write: false, compare: Compare::LessEqual },
@@ -135,4 +147,42 @@ impl Ground {
             ..DrawState::default()
         }
     }
+
+    /// The pixels that show what is dark, and some more; `None` where some of it is not in front of the eye.
+    fn dark_in_picture(&self, clip_from_world: Mat4, size: [u32; 2]) -> Option<Scissor> {
+        // How far corners are snapped, and what lies around a pixel's middle.
+        const MARGIN: f32 = 2.0;
+        let [left_top, _, right_bottom, _] = self.corners;
+        let (mut low, mut high) = ([f32::INFINITY; 2], [f32::NEG_INFINITY; 2]);
+        for [s, t] in [[0, 0], [0, 1], [1, 0], [1, 1]] {
+            let (s, t) = (self.dark[s][0], self.dark[t][1]);
+            let along = |axis: usize, part: f32| left_top[axis] + (right_bottom[axis] - left_top[axis]) * part;
+            let place = Vec3::from([along(0, s), left_top[1], along(2, t)]).extend(1.0);
+            let [x, y, _, w] = <[f32; 4]>::from(clip_from_world * place);
+            if w < 1e-3 {
+                return None;
+            }
+            for (axis, ndc) in [x / w, -y / w].into_iter().enumerate() {
+                let at = (ndc * 0.5 + 0.5) * size[axis] as f32;
+                low[axis] = low[axis].min(at);
+                high[axis] = high[axis].max(at);
+            }
+        }
+        let [x, y] = low.map(|at| (at - MARGIN).floor() as i32);
+        let [right, bottom] = high.map(|at| (at + MARGIN).ceil() as i32);
+        Some(Scissor { x, y, width: right.abs_diff(x), height: bottom.abs_diff(y) })
+    }
+}
+
+/// The least and the greatest coordinates at which a lookup finds any darkness in the ground's map.
+fn dark(map: &[f32]) -> [[f32; 2]; 2] {
+    let (mut low, mut high) = ([SIZE as usize; 2], [0; 2]);
+    for (y, row) in map.chunks_exact(SIZE as usize).enumerate() {
+        let is_dark = |darkness: &f32| *darkness != 0.0;
+        if let (Some(first), Some(last)) = (row.iter().position(is_dark), row.iter().rposition(is_dark)) {
+            (low, high) = ([low[0].min(first), low[1].min(y)], [high[0].max(last), high[1].max(y)]);
+        }
+    }
+    // Texels show as far as the middles of their neighbours.
+    [low.map(|texel| (texel as f32 - 1.0) / SIZE as f32), high.map(|texel| (texel as f32 + 2.0) / SIZE as f32)]
 }

@@ -8,7 +8,7 @@
 //!        -> Caster        what hides light: props, less what is cut out of them (`caster.rs`)
 //!        -> Shadow        what the key light sees (`shadow.rs`)
 //!        -> Occlusion     what is hidden from light from all around (`occlusion.rs`)
-//!        -> Ground        both shadows on the ground (`ground.rs`)
+//!        -> Ground        both shadows on the ground (`ground.rs`, `overhead.rs`), the key light's where there is any (`nearest.rs`)
 //!        -> Behind        the opaque part, for what lets light through (`transmission.rs`)
 //! all of it -> Surface    the fragment stage (`shader.rs`, `brdf.rs`, `tone.rs`)
 //! ```
@@ -21,7 +21,9 @@ mod environment;
 mod ground;
 mod lamps;
 mod material;
+mod nearest;
 mod occlusion;
+mod overhead;
 mod paint;
 mod shader;
 mod shadow;
@@ -141,7 +143,7 @@ pub fn draw(
     let key = if environment.has_key && settings.shadows {
         let toward = [0, 1, 2].map(|k| (0..3).map(|axis| studio::KEY[axis] * axes[axis][k]).sum());
         // Glass casts a shadow, too.
-        Some(Shadow::new(stage, toward, &casters, |prop| part(prop) != Part::Blended, renderer)?)
+        Some(Shadow::new(stage, toward, width.max(height), &casters, |prop| part(prop) != Part::Blended, renderer)?)
     } else {
         None
     };
@@ -176,12 +178,15 @@ pub fn draw(
     };
 
     let skins = picture.skins(behind.as_ref(), false);
-    let floor = ground.as_ref().map(|ground| (ground.corners(light.clip_from_world), ground.paint()));
+    let clip_from_world = light.clip_from_world;
+    let floor = ground.as_ref().map(|ground| {
+        (ground.corners(clip_from_world), ground.paint(), ground.state(clip_from_world, [width, height]))
+    });
     let mut pass = Pass::new();
     pass.clear_color = Some([0.0; 4]);
     picture.add(&mut pass, &skins, Part::Opaque);
-    if let Some((corners, paint)) = &floor {
-        pass.draw(paint, Mesh { vertices: corners, indices: Indices::Sequential }, Ground::state());
+    if let Some((corners, paint, state)) = &floor {
+        pass.draw(paint, Mesh { vertices: corners, indices: Indices::Sequential }, *state);
     }
     picture.add(&mut pass, &skins, Part::Clear);
     picture.add(&mut pass, &skins, Part::Blended);

@@ -8,8 +8,8 @@ use super::paint::{self, Paint};
 use crate::Vertex;
 use crate::stage::{Prop, Stage};
 use pineda::{
-    ColorBuffer, Compare, DepthBuffer, DepthState, DrawState, Error, Fragment, Int, Lanes, Mat4, Pass, Real, Renderer,
-    Rgba, Rgba32F, Shader, Target, Texture2d, Vec2, Vec3, Vec4, outputs, shader, varyings,
+    Bool, ColorBuffer, Compare, DepthBuffer, DepthState, DrawState, Error, Fragment, Int, Lanes, Mat4, Pass, Real,
+    Renderer, Rg32F, Rgba, Rgba32F, Shader, Target, Texture2d, Vec2, Vec3, Vec4, outputs, shader, varyings,
 };
 use std::f32::consts::TAU;
 
@@ -18,11 +18,14 @@ const PLACES: u32 = 14;
 /// How often their spiral turns round; no divisor of their number.
 const TURNS: f32 = 5.0;
 
+/// The distance of what is not there.
+const BEYOND: f32 = 1e30;
+
 /// How open each place of the picture is.
 #[derive(Debug)]
 pub(super) struct Occlusion {
-    /// At half the picture's size: openness, and the distance along the view axis.
-    map: Texture2d<'static, Rgba32F>,
+    /// At half the picture's size: openness, and the distance along the view axis, [`BEYOND`] where nothing is.
+    map: Texture2d<'static, Rg32F>,
     forward: [f32; 3],
 }
 
@@ -88,6 +91,11 @@ impl LookAround<'_> {
         let Vec2 { x, y } = pixel;
         let (column, row) = (x.floor().to_int(), y.floor().to_int());
         let here = self.places.fetch(column, row, 0);
+        let is_there = here.a.gt(0.5);
+        let zero = x * 0.0;
+        if !is_there.any() {
+            return Rgba { r: zero, g: zero + BEYOND, b: zero, a: zero };
+        }
         let normal = self.normals.fetch(column, row, 0).rgb();
         let distance = here.rgb().dot(self.forward);
         let smaller = if self.is_orthographic { distance * 0.0 + 1.0 } else { distance.max(1e-3) };
@@ -96,7 +104,7 @@ impl LookAround<'_> {
         let noise = (52.982_918 * (0.067_110_56 * x + 0.005_837_15 * y).fract()).fract();
         let (sine, cosine) = (noise * TAU).sin_cos();
         let squared = self.radius * self.radius;
-        let mut hidden = x * 0.0;
+        let mut hidden = zero;
         for k in 0..PLACES {
             let part = (k as f32 + 0.5) / PLACES as f32;
             let angle = part * TURNS * TAU;
@@ -112,14 +120,14 @@ impl LookAround<'_> {
             hidden += there.a.gt(0.5).select(hides, 0.0);
         }
         let open = (1.0 - hidden * (2.2 * self.radius / PLACES as f32)).max(0.0);
-        Rgba { r: here.a.gt(0.5).select(open, 1.0), g: distance, b: open, a: here.a }
+        Rgba { r: open, g: is_there.select(distance, BEYOND), b: zero, a: zero }
     }
 }
 
 /// The mean of 4 x 4 pixels, as far as they lie at the same distance.
 #[derive(Debug)]
 pub(super) struct Smooth<'a> {
-    map: &'a Texture2d<'a, Rgba32F>,
+    map: &'a Texture2d<'a, Rg32F>,
     radius: f32,
 }
 
@@ -128,15 +136,25 @@ impl Smooth<'_> {
     pub(super) fn color<L: Lanes>(&self, pixel: Vec2<L>) -> Rgba<L> {
         let (column, row) = (pixel.x.floor().to_int(), pixel.y.floor().to_int());
         let here = self.map.fetch(column, row, 0);
+        if !is_there(here.g).any() {
+            return here;
+        }
         let (mut sum, mut weights) = (here.r * 1e-3, Real::new(pixel.lanes(), 1e-3));
         for k in 0..16 {
             let there = self.map.fetch(column + (k % 4 - 1), row + (k / 4 - 1), 0);
-            let weight = (1.0 - (there.g - here.g).abs() * (4.0 / self.radius)).max(0.0) * there.a;
+            let weight = (1.0 - (there.g - here.g).abs() * (4.0 / self.radius)).max(0.0);
+            let weight = is_there(there.g).select(weight, 0.0);
             sum += there.r * weight;
             weights += weight;
         }
-        Rgba { r: sum / weights, g: here.g, b: here.b, a: here.a }
+        Rgba { r: sum / weights, ..here }
     }
+}
+
+/// Whether there is anything at a distance.
+#[shader]
+fn is_there<L: Lanes>(distance: Real<L>) -> Bool<L> {
+    distance.lt(BEYOND)
 }
 
 impl Occlusion {
@@ -190,10 +208,10 @@ impl Occlusion {
         let focal = 0.5 * height as f32 * (a * a + b * b + c * c).sqrt();
         let (places, normals) = (Texture2d::new(width, height, places)?, Texture2d::new(width, height, normals)?);
         let mut painted = |paint: &Paint<'_>| {
-            let mut pixels = vec![[0.0; 4]; count];
-            let color = ColorBuffer::Rgba32F(&mut pixels);
+            let mut pixels = vec![[0.0; 2]; count];
+            let color = ColorBuffer::Rg32F(&mut pixels);
             paint::map(paint, Target { color, ..Target::new(width, height) }, renderer)?;
-            Texture2d::<Rgba32F>::new(width, height, pixels)
+            Texture2d::<Rg32F>::new(width, height, pixels)
         };
         let is_orthographic = camera.is_orthographic;
         let look = LookAround { places: &places, normals: &normals, forward, radius, focal, is_orthographic };
@@ -216,7 +234,7 @@ impl Occlusion {
                 self.map.fetch(column + Int::new(distance.lanes(), k % 2), row + Int::new(distance.lanes(), k / 2), 0);
             let weight = if k % 2 == 0 { 1.0 - across } else { across } * if k / 2 == 0 { 1.0 - down } else { down };
             let near = (1.0 - (there.g - distance).abs() / (0.02 * distance)).max(0.0);
-            let weight = weight * near * there.a;
+            let weight = is_there(there.g).select(weight * near, 0.0);
             sum += there.r * weight;
             weights += weight;
             k += 1;

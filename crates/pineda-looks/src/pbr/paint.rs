@@ -13,7 +13,6 @@ use pineda::{
 
 /// What is computed at each place.
 #[derive(Debug)]
-#[expect(clippy::large_enum_variant, reason = "there is one at a time, on the stack")]
 pub(super) enum Paint<'a> {
     /// What the studio looks like in a direction.
     Studio(Studio),

@@ -31,6 +31,18 @@ varyings! {
     }
 }
 
+varyings! {
+    /// The same without what only maps ask for.
+    pub struct PlainlySeen {
+        /// On the stage.
+        pub position: Vec3,
+        /// Interpolated: not quite of length 1.
+        pub normal: Vec3,
+        /// Linear light.
+        pub color: Vec4,
+    }
+}
+
 /// What all surfaces of a picture share.
 #[derive(Debug)]
 pub(super) struct Light<'a> {
@@ -85,15 +97,18 @@ pub(super) struct Surface<'a, 's> {
 #[shader]
 impl Shader for Plain<'_, '_> {
     type Vertex = Vertex;
-    type Varyings<L: Lanes> = Seen<L>;
+    type Varyings<L: Lanes> = PlainlySeen<L>;
 
-    fn vertex(&self, vertex: &Vertex) -> (Vec4, Seen) {
-        self.0.seen(vertex)
+    fn vertex(&self, vertex: &Vertex) -> (Vec4, PlainlySeen) {
+        let (clip, Seen { position, normal, color, .. }) = self.0.seen(vertex);
+        (clip, PlainlySeen { position, normal, color })
     }
 
     fn fragment<L: Lanes>(&self, f: &mut Fragment<L, Self>) -> Rgba<L> {
-        let (seen, none, zero) = (f.varyings(), f.splat([0.0; 2]), f.splat([0.0; 3]));
-        let uvs = [seen.first, seen.second].map(|uv| uv.with_derivatives(none, none));
+        let (none, zero) = (f.splat([0.0; 2]), f.splat([0.0; 3]));
+        let PlainlySeen { position, normal, color } = f.varyings();
+        let seen = Seen { position, normal, tangent: f.splat([0.0; 4]), first: none, second: none, color };
+        let uvs = [none.with_derivatives(none, none); 2];
         let place = Place { uvs, steps: [zero; 2], is_front: f.front_facing(), pixel: Vec2::new(f.x(), f.y()) };
         self.0.color(&seen, &place)
     }
@@ -305,7 +320,10 @@ impl Surface<'_, '_> {
         let mut diffuse = scattered * open;
         if let Some((color, shadow)) = light.key {
             let falls = normal.dot(shadow.toward).max(0.0) * geometric.dot(shadow.toward).gt(0.0).select(one, 0.0);
-            diffuse += Vec3::new(one, one, one) * color * (falls * shadow.lit(seen.position, geometric));
+            // Where no light falls, no shadow does.
+            if falls.gt(0.0).any() {
+                diffuse += Vec3::new(one, one, one) * color * (falls * shadow.lit(seen.position, geometric));
+            }
         }
         let facing = Facing { position: seen.position, geometric, normal, to_eye, f0, strength, roughness };
         let mut glints = f0 * 0.0;

@@ -1,6 +1,7 @@
 //! The key light's shadow: a map of what it sees, looked up with a wide filter ("percentage closer filtering", Reeves, Salesin and Cook 1987).
 
 use super::caster::Caster;
+use super::nearest::Nearest;
 use crate::Vertex;
 use crate::stage::{Prop, Stage};
 use pineda::{
@@ -8,8 +9,10 @@ use pineda::{
     Shader, Target, Texture2d, Vec3, Vec4, Wrap, shader,
 };
 
-/// Texels of the map, across and down.
-const SIZE: u32 = 1024;
+/// Texels of the map, across and down, for a picture whose longer side is so long: two a pixel and more, where the whole model is in the picture.
+fn size_for(side: u32) -> u32 {
+    if side <= 256 { 512 } else { 1024 }
+}
 
 /// Places around the one in question, on a disc of radius 1: Vogel's spiral.
 pub(super) const DISC: [[f32; 2]; 12] = [
@@ -35,6 +38,8 @@ pub(super) struct Shadow {
     /// The stage's world to the map: x and y 0 to 1, z its depth.
     map_from_world: Mat4,
     map: Texture2d<'static, R32F>,
+    /// Texels of the map, across and down.
+    size: u32,
     /// The filter's radius, in parts of the map.
     softness: f32,
     /// How far from a surface it is asked for, on the stage: two texels.
@@ -84,14 +89,16 @@ pub(super) fn depths<'a, 's: 'a>(
 }
 
 impl Shadow {
-    /// Draws the map of what `casts` a shadow.
+    /// Draws the map of what `casts` a shadow, for a picture whose longer side has `side` pixels.
     pub(super) fn new(
         stage: &Stage,
         toward: [f32; 3],
+        side: u32,
         casters: &[Caster<'_, '_>],
         casts: impl Fn(&Prop) -> bool,
         renderer: &mut Renderer,
     ) -> Result<Self, Error> {
+        let size = size_for(side);
         let [low, high] = stage.bounds;
         let center = [0, 1, 2].map(|axis| 0.5 * (low[axis] + high[axis]));
         let [x, y, z] = [0, 1, 2].map(|axis| 0.5 * (high[axis] - low[axis]));
@@ -102,15 +109,16 @@ impl Shadow {
             * Mat4::look_at(from, center, up);
         let depth_bias = DepthBias { constant: 0.0, slope: 1.5, clamp: 0.0 };
         let casters = casters.iter().filter(|caster| casts(caster.prop));
-        let depth = depths(casters, clip_from_world, depth_bias, SIZE, renderer)?;
+        let depth = depths(casters, clip_from_world, depth_bias, size, renderer)?;
         // y grows downwards in maps.
         let map_from_clip = Mat4::translation([0.5, 0.5, 0.0]) * Mat4::scale([0.5, -0.5, 1.0]);
         Ok(Self {
             toward,
             map_from_world: map_from_clip * clip_from_world,
-            map: Texture2d::new(SIZE, SIZE, depth)?,
+            map: Texture2d::new(size, size, depth)?,
+            size,
             softness: 0.006,
-            offset: 4.0 * radius / SIZE as f32,
+            offset: 4.0 * radius / size as f32,
         })
     }
 
@@ -125,14 +133,25 @@ impl Shadow {
     pub(super) fn lit_within<L: Lanes>(&self, position: Vec3<L>, softness: f32) -> Real<L> {
         // Beyond the map everything is lit.
         let sampler = Sampler { wrap: [Wrap::Border; 3], border: [1.0; 4], ..Sampler::SHADOW };
-        let place = (self.map_from_world * position.extend(1.0)).xyz();
-        // Behind everything that the map shows it is no darker.
-        let depth = place.z.min(1.0);
+        let place = self.seen_from_light(position);
         let mut sum = Real::new(position.lanes(), 0.0);
         for [x, y] in DISC {
             let place_there = place.xy() + [x * softness, y * softness];
-            sum += self.map.sample_compare(&sampler, place_there, depth);
+            sum += self.map.sample_compare(&sampler, place_there, place.z);
         }
         sum * (1.0 / DISC.len() as f32)
+    }
+
+    /// Where a place lies in the map, and its depth there.
+    #[shader]
+    pub(super) fn seen_from_light<L: Lanes>(&self, position: Vec3<L>) -> Vec3<L> {
+        let Vec3 { x, y, z } = (self.map_from_world * position.extend(1.0)).xyz();
+        // Behind everything that the map shows it is no darker.
+        Vec3::new(x, y, z.min(1.0))
+    }
+
+    /// What is nearest to the light around each place of the map.
+    pub(super) fn nearest(&self) -> Result<Nearest, Error> {
+        Nearest::new(self.map.texels(0), self.size as usize)
     }
 }
