@@ -10,7 +10,7 @@
 
 use super::address::{self, Beyond, is_beyond, whole};
 use super::cube;
-use super::format::Filterable;
+use super::format::{Filterable, TextureFormat};
 use super::image::{Image, LEVELS};
 use super::sampler::{Filter, MipFilter, Sampler, Wrap};
 use crate::lanes::Lanes;
@@ -106,16 +106,17 @@ impl<L: Lanes> Mapping<L> for Compared<L> {
 }
 
 /// The level of each lane.
-struct LevelLanes<L: Lanes> {
-    size: [Real<L>; 3],
-    row: Int<L>,
-    slice: Int<L>,
-    first: Int<L>,
+pub(super) struct LevelLanes<L: Lanes> {
+    pub(super) size: [Real<L>; 3],
+    pub(super) row: Int<L>,
+    pub(super) slice: Int<L>,
+    pub(super) first: Int<L>,
 }
 
 impl<L: Lanes> LevelLanes<L> {
+    /// A level that the image does not have is one that it has, or nothing.
     #[inline(always)]
-    fn new<F: Filterable>(image: &Image<'_, F>, lanes: L, level: Int<L>) -> Self {
+    pub(super) fn new<F: TextureFormat>(image: &Image<'_, F>, lanes: L, level: Int<L>) -> Self {
         let mut numbers = [0; 16];
         L::store_int(level.0, &mut numbers);
         let first = numbers[0];

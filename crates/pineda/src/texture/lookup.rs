@@ -1,8 +1,9 @@
 //! Whole lookups: level of detail, filtering, scaling. Each is compiled once for a format, a kind of texture and a width, as a function of its own.
 
-use super::filter::{Flat, Kind, Lookup, Mapping, Place};
+use super::address::whole;
+use super::filter::{Flat, Kind, LevelLanes, Lookup, Mapping, Place};
 use super::format::{Filterable, TextureFormat};
-use super::image::{Image, LEVELS};
+use super::image::Image;
 use super::lod::Gradient;
 use crate::lanes::Lanes;
 use crate::math::{Bool, Int, Real, Rgba};
@@ -87,24 +88,13 @@ pub(super) fn color<L: Lanes, F: Filterable>(channels: [Real<L>; 4]) -> Rgba<L> 
 #[inline(always)]
 pub(super) fn fetch<L: Lanes, F: TextureFormat>(image: &Image<'_, F>, at: [Int<L>; 3], level: Int<L>) -> F::Color<L> {
     let lanes = level.lanes();
-    let mut numbers = [0; 16];
-    L::store_int(level.0, &mut numbers);
-    let (mut sizes, mut places) = ([[0; 16]; 3], [[0; 16]; 3]);
-    let mut k = 0;
-    while k < L::N {
-        let level = &image.levels[numbers[k] as usize & (LEVELS - 1)];
-        (sizes[0][k], sizes[1][k], sizes[2][k]) = (level.size[0] as i32, level.size[1] as i32, level.size[2] as i32);
-        (places[0][k], places[1][k], places[2][k]) = (level.row, level.slice, level.first);
-        k += 1;
-    }
+    let LevelLanes { size, row, slice, first } = LevelLanes::new(image, lanes, level);
     let mut inside = level.ge(0) & level.lt(image.count as i32);
     let mut k = 0;
     while k < 3 {
-        inside &= at[k].ge(0) & at[k].lt(Int(lanes.load_int(&sizes[k])));
+        inside &= at[k].ge(0) & at[k].lt(whole(size[k]));
         k += 1;
     }
-    let [row, slice, first] =
-        [Int(lanes.load_int(&places[0])), Int(lanes.load_int(&places[1])), Int(lanes.load_int(&places[2]))];
     let index = (first + at[2] * slice) + (at[1] * row + at[0]);
     let index: Int<L> = Bool::select(inside, index, Int::new(lanes, 0));
     F::color(image.gather(lanes, index.0), inside.0)

@@ -62,6 +62,11 @@ fn halve<const BY_ALPHA: bool>(from: Extent, to: Extent, out: &mut Vec<[f32; 4]>
         let (first_z, weights_z, count_z) = covered(from.slices, to.slices, z);
         for y in 0..to.height {
             let (first_y, weights_y, count_y) = covered(from.height, to.height, y);
+            if !BY_ALPHA && count_z == 1 && count_y == 2 && from.width.is_multiple_of(2) {
+                let upper = (first_z as usize * height + first_y as usize) * width;
+                halve_rows(width, out, |x| texel(upper + x), |x| texel(upper + width + x));
+                continue;
+            }
             for &(first_x, weights_x, count_x) in &columns {
                 let (mut plain, mut by_alpha) = ([0.0; 4], [0.0; 3]);
                 for (dz, &weight_z) in weights_z[..count_z].iter().enumerate() {
@@ -88,6 +93,24 @@ fn halve<const BY_ALPHA: bool>(from: Extent, to: Extent, out: &mut Vec<[f32; 4]>
             }
         }
     }
+}
+
+/// Of two rows, what most textures have everywhere: means of two by two texels. The same sums in the same order as above, of which the compiler knows the length here.
+fn halve_rows(
+    width: usize,
+    out: &mut Vec<[f32; 4]>,
+    upper: impl Fn(usize) -> [f32; 4],
+    lower: impl Fn(usize) -> [f32; 4],
+) {
+    out.extend((0..width / 2).map(|x| {
+        let mut sums = [0.0; 4];
+        for color in [upper(2 * x), upper(2 * x + 1), lower(2 * x), lower(2 * x + 1)] {
+            for (sum, channel) in sums.iter_mut().zip(color) {
+                *sum += 0.25 * f64::from(channel);
+            }
+        }
+        sums.map(|sum: f64| sum as f32)
+    }));
 }
 
 #[cfg(test)]
