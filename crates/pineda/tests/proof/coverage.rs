@@ -25,7 +25,8 @@ fn every_pixel_is_the_oracles() {
     let mut tally = Tally::default();
     std::thread::scope(|scope| {
         let cores = std::thread::available_parallelism().map_or(1, usize::from);
-        let workers: Vec<_> = (0..cores).map(|_| scope.spawn(judge_some)).collect();
+        // Twice as many as there are cores: half of the time of a case is waiting for the threads that it draws with.
+        let workers: Vec<_> = (0..2 * cores).map(|_| scope.spawn(judge_some)).collect();
         for worker in workers {
             tally.add(&worker.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic)));
         }
