@@ -114,14 +114,14 @@ pub(super) struct LevelLanes<L: Lanes> {
 }
 
 impl<L: Lanes> LevelLanes<L> {
-    /// A level that the image does not have is one that it has, or nothing.
+    /// A level that the image does not have is any that it has, or one without texels.
     #[inline(always)]
     pub(super) fn new<F: TextureFormat>(image: &Image<'_, F>, lanes: L, level: Int<L>) -> Self {
         let mut numbers = [0; 16];
         L::store_int(level.0, &mut numbers);
-        let first = numbers[0];
-        if image.count == 1 || !L::any(level.ne(first).0) {
-            let level = &image.levels[first as usize & (LEVELS - 1)];
+        let only = if image.count == 1 { 0 } else { numbers[0] };
+        if image.count == 1 || !L::any(level.ne(only).0) {
+            let level = &image.levels[only as usize & (LEVELS - 1)];
             let [width, height, slices] = level.size;
             return Self {
                 size: [Real::new(lanes, width), Real::new(lanes, height), Real::new(lanes, slices)],

@@ -145,6 +145,21 @@ mod tests {
     }
 
     #[test]
+    fn even_sizes_are_summed_as_others_are() {
+        // Rows of an even width are halved by a loop of their own.
+        let texels: Vec<f32> = (0..8 * 6).map(|k: u32| 1.0 / (1.0 + k.wrapping_mul(40_503) as f32)).collect();
+        let texture = Texture2d::<R32F>::new(8, 6, &texels).unwrap().with_mips().unwrap();
+        let expected: Vec<f32> = (0..4 * 3)
+            .map(|k| {
+                let first = (k / 4) * 16 + (k % 4) * 2;
+                let parts = [0, 1, 8, 9].map(|next| 0.25 * f64::from(texels[first + next]));
+                parts.iter().fold(0.0, |sum, part| sum + part) as f32
+            })
+            .collect();
+        assert_eq!(floats(&texture, 1), expected);
+    }
+
+    #[test]
     fn colors_are_decoded_before_they_are_mixed() {
         let checks = [[0, 0, 0, 255], [255, 255, 255, 255]];
         let texture = Texture2d::<Rgba8Srgb>::new(2, 1, &checks).unwrap().with_mips().unwrap();

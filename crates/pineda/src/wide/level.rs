@@ -5,50 +5,45 @@
 /// `fearless_simd` tells that at run time only. The optimizer would drop the way not taken, but not before it had inlined all of it.
 pub trait Simd: fearless_simd::Simd {
     /// Whether lanes are elements of plain arrays.
-    const IS_PLAIN: bool;
-    /// Whether [`u32x16::pick`](super::u32x16::pick) is one instruction.
-    const CAN_PICK: bool;
-    /// Whether [`u32x16::pick_in_fours`](super::u32x16::pick_in_fours) is one instruction for each register.
-    const CAN_PICK_IN_FOURS: bool;
-    /// Whether there are instructions that multiply 32-bit integers. Without, `fearless_simd` takes vectors apart and puts them together again, lane by lane: a loop is shorter.
-    const MULTIPLIES: bool;
-    /// The same of shifts by as many bits as another vector's lanes say.
-    const SHIFTS_EACH: bool;
+    const IS_PLAIN: bool = false;
     /// Whether a packet is two registers.
-    const HAS_HALVES: bool;
+    const HAS_HALVES: bool = false;
+    /// Whether [`u32x16::pick`](super::u32x16::pick) is one instruction.
+    const CAN_PICK: bool = false;
+    /// Whether [`u32x16::pick_in_fours`](super::u32x16::pick_in_fours) is one instruction for each register.
+    const CAN_PICK_IN_FOURS: bool = false;
+    /// Whether there are instructions that multiply 32-bit integers. Without, `fearless_simd` takes vectors apart and puts them together again, lane by lane: a loop is shorter.
+    const MULTIPLIES: bool = false;
+    /// The same of shifts by as many bits as another vector's lanes say.
+    const SHIFTS_EACH: bool = false;
     /// Whether the level's maximum and minimum of floats are x86's, `a > b ? a : b` and `a < b ? a : b` to the bit, of NaN and zeros too. Elsewhere they treat these in other ways.
-    const MAX_COMPARES: bool;
+    const MAX_COMPARES: bool = false;
 }
 
+/// What each level has.
 macro_rules! levels {
-    ($($(#[$condition:meta])* $token:ty: $is_plain:literal, $can_pick:literal, $in_fours:literal, $multiplies:literal, $shifts_each:literal, $has_halves:literal, $max_compares:literal;)+) => {$(
+    ($($(#[$condition:meta])* $token:ty: $($has:ident)*;)+) => {$(
         $(#[$condition])*
         impl Simd for $token {
-            const IS_PLAIN: bool = $is_plain;
-            const CAN_PICK: bool = $can_pick;
-            const CAN_PICK_IN_FOURS: bool = $in_fours;
-            const MULTIPLIES: bool = $multiplies;
-            const SHIFTS_EACH: bool = $shifts_each;
-            const HAS_HALVES: bool = $has_halves;
-            const MAX_COMPARES: bool = $max_compares;
+            $(const $has: bool = true;)*
         }
     )+};
 }
 
 levels! {
-    fearless_simd::Fallback: true, false, false, false, false, false, false;
+    fearless_simd::Fallback: IS_PLAIN;
     #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-    fearless_simd::x86::Sse2: false, false, false, false, false, false, true;
+    fearless_simd::x86::Sse2: MAX_COMPARES;
     #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-    fearless_simd::x86::Sse4_2: false, false, true, true, false, false, true;
+    fearless_simd::x86::Sse4_2: CAN_PICK_IN_FOURS MULTIPLIES MAX_COMPARES;
     #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-    fearless_simd::x86::Avx2: false, false, true, true, true, true, true;
+    fearless_simd::x86::Avx2: HAS_HALVES CAN_PICK_IN_FOURS MULTIPLIES SHIFTS_EACH MAX_COMPARES;
     #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-    fearless_simd::x86::Avx512: false, true, true, true, true, false, true;
+    fearless_simd::x86::Avx512: CAN_PICK CAN_PICK_IN_FOURS MULTIPLIES SHIFTS_EACH MAX_COMPARES;
     #[cfg(target_arch = "aarch64")]
-    fearless_simd::aarch64::Neon: false, false, true, true, true, false, false;
+    fearless_simd::aarch64::Neon: CAN_PICK_IN_FOURS MULTIPLIES SHIFTS_EACH;
     #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
-    fearless_simd::wasm32::WasmSimd128: false, false, true, true, false, false, false;
+    fearless_simd::wasm32::WasmSimd128: CAN_PICK_IN_FOURS MULTIPLIES;
 }
 
 /// `fearless_simd::dispatch!` for code that is generic over the [`Simd`] of this module: evaluates the expression, with the level's

@@ -73,6 +73,8 @@ macro_rules! from_array {
 }
 
 /// Making packets from arrays, and from slices, which panics if the length is not the number of lanes.
+///
+/// Of two registers, each is loaded by itself: loaded whole, a packet that is only passed on is an array to the compiler, and goes through memory wherever it goes.
 macro_rules! load {
     ($($name:ident: $lane:ty, $half:ident;)+) => {$(
         impl<S: Simd> $name<S> {
@@ -81,8 +83,8 @@ macro_rules! load {
             pub(crate) fn from_slice(simd: S, lanes: &[$lane]) -> Self {
                 if S::HAS_HALVES {
                     let (low, high) = lanes.split_at(8);
-                    let half = |lanes| fearless_simd::$half::from_slice(simd, lanes);
-                    return Self(half(low).combine(half(high)));
+                    let low = fearless_simd::$half::from_slice(simd, low);
+                    return Self(low.combine(fearless_simd::$half::from_slice(simd, high)));
                 }
                 Self(fearless_simd::$name::from_slice(simd, lanes))
             }
