@@ -10,7 +10,7 @@ use super::shadow::{self, Shadow};
 use crate::stage::Stage;
 use pineda::{
     ColorBuffer, Compare, DepthBias, DepthState, DrawState, Error, Lanes, Mat4, R32F, Real, Renderer, Rgba, Sampler,
-    Scissor, Target, Texture2d, Vec2, Vec3, Wrap, shader,
+    Target, Texture2d, Vec2, Vec3, Wrap, shader,
 };
 
 /// Texels of both maps, across and down.
@@ -26,8 +26,6 @@ const _: () = assert!(SOFTNESS[1] < Nearest::WITHIN);
 pub(super) struct Ground {
     map: Texture2d<'static, R32F>,
     corners: [[f32; 3]; 4],
-    /// Where the map is dark: the least and the greatest coordinates in it.
-    dark: [[f32; 2]; 2],
 }
 
 /// How dark the ground is.
@@ -119,8 +117,7 @@ impl Ground {
         paint::map(&darkness, Target { color, ..Target::new(SIZE, SIZE) }, renderer)?;
         let corners = [[-1.0, -1.0], [-1.0, 1.0], [1.0, 1.0], [1.0, -1.0]];
         let corners = corners.map(|[s, t]: [f32; 2]| [x + s * reach, y, z + t * reach]);
-        let dark = dark(&map);
-        Ok(Some(Self { map: Texture2d::new(SIZE, SIZE, map)?, corners, dark }))
+        Ok(Some(Self { map: Texture2d::new(SIZE, SIZE, map)?, corners }))
     }
 
     /// Its corners in the picture, with where they lie in the map.
@@ -136,10 +133,8 @@ impl Ground {
         Paint::Cast(Cast { ground: self })
     }
 
-    /// For a picture of this size, of which it bounds the part that is drawn: where the ground is not dark it shows nothing.
-    pub(super) fn state(&self, clip_from_world: Mat4, size: [u32; 2]) -> DrawState {
+    pub(super) fn state() -> DrawState {
         DrawState {
-            scissor: self.dark_in_picture(clip_from_world, size),
             blend: pineda::Blend::PREMULTIPLIED,
             // It reaches beyond the camera's far plane, where depths are 1 as they are where nothing is.
             depth: DepthState { write: false, compare: Compare::LessEqual },
@@ -147,42 +142,4 @@ impl Ground {
             ..DrawState::default()
         }
     }
-
-    /// The pixels that show what is dark, and some more; `None` where some of it is not in front of the eye.
-    fn dark_in_picture(&self, clip_from_world: Mat4, size: [u32; 2]) -> Option<Scissor> {
-        // How far corners are snapped, and what lies around a pixel's middle.
-        const MARGIN: f32 = 2.0;
-        let [left_top, _, right_bottom, _] = self.corners;
-        let (mut low, mut high) = ([f32::INFINITY; 2], [f32::NEG_INFINITY; 2]);
-        for [s, t] in [[0, 0], [0, 1], [1, 0], [1, 1]] {
-            let (s, t) = (self.dark[s][0], self.dark[t][1]);
-            let along = |axis: usize, part: f32| left_top[axis] + (right_bottom[axis] - left_top[axis]) * part;
-            let place = Vec3::from([along(0, s), left_top[1], along(2, t)]).extend(1.0);
-            let [x, y, _, w] = <[f32; 4]>::from(clip_from_world * place);
-            if w < 1e-3 {
-                return None;
-            }
-            for (axis, ndc) in [x / w, -y / w].into_iter().enumerate() {
-                let at = (ndc * 0.5 + 0.5) * size[axis] as f32;
-                low[axis] = low[axis].min(at);
-                high[axis] = high[axis].max(at);
-            }
-        }
-        let [x, y] = low.map(|at| (at - MARGIN).floor() as i32);
-        let [right, bottom] = high.map(|at| (at + MARGIN).ceil() as i32);
-        Some(Scissor { x, y, width: right.abs_diff(x), height: bottom.abs_diff(y) })
-    }
-}
-
-/// The least and the greatest coordinates at which a lookup finds any darkness in the ground's map.
-fn dark(map: &[f32]) -> [[f32; 2]; 2] {
-    let (mut low, mut high) = ([SIZE as usize; 2], [0; 2]);
-    for (y, row) in map.chunks_exact(SIZE as usize).enumerate() {
-        let is_dark = |darkness: &f32| *darkness != 0.0;
-        if let (Some(first), Some(last)) = (row.iter().position(is_dark), row.iter().rposition(is_dark)) {
-            (low, high) = ([low[0].min(first), low[1].min(y)], [high[0].max(last), high[1].max(y)]);
-        }
-    }
-    // Texels show as far as the middles of their neighbours.
-    [low.map(|texel| (texel as f32 - 1.0) / SIZE as f32), high.map(|texel| (texel as f32 + 2.0) / SIZE as f32)]
 }

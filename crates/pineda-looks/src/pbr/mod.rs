@@ -178,15 +178,12 @@ pub fn draw(
     };
 
     let skins = picture.skins(behind.as_ref(), false);
-    let clip_from_world = light.clip_from_world;
-    let floor = ground.as_ref().map(|ground| {
-        (ground.corners(clip_from_world), ground.paint(), ground.state(clip_from_world, [width, height]))
-    });
+    let floor = ground.as_ref().map(|ground| (ground.corners(light.clip_from_world), ground.paint()));
     let mut pass = Pass::new();
     pass.clear_color = Some([0.0; 4]);
     picture.add(&mut pass, &skins, Part::Opaque);
-    if let Some((corners, paint, state)) = &floor {
-        pass.draw(paint, Mesh { vertices: corners, indices: Indices::Sequential }, *state);
+    if let Some((corners, paint)) = &floor {
+        pass.draw(paint, Mesh { vertices: corners, indices: Indices::Sequential }, Ground::state());
     }
     picture.add(&mut pass, &skins, Part::Clear);
     picture.add(&mut pass, &skins, Part::Blended);
