@@ -11,8 +11,8 @@
 use super::exact::determinant_is_zero;
 use super::raster_space::{GUARD_BAND, OFF_RASTER, SUBPIXELS, ScreenVertex};
 use crate::pass::{Space, Viewport};
-use crate::transpose::columns4;
-use crate::wide::{Simd, dispatch, f32x16, f64x8, i32x16, i64x8, mask32x16, u32x16};
+use crate::transpose::{columns4, each_of_sixteen};
+use crate::wide::{Simd, dispatch, f32x16, f64x8, i32x16, i64x8, mask32x16, u32x4, u32x16};
 use fearless_simd::Level;
 
 /// The planes that a vertex can lie outside of, one bit each; what [`ScreenVertex::outcode`] holds.
@@ -212,12 +212,8 @@ impl Projection {
 /// The x, y, z and w of sixteen positions.
 #[inline(always)]
 fn columns<S: Simd>(s: S, positions: &[[f32; 4]; 16]) -> [f32x16<S>; 4] {
-    let words: &[u32; 64] = bytemuck::cast_ref(positions);
-    let a = u32x16::from_slice(s, &words[0..16]);
-    let b = u32x16::from_slice(s, &words[16..32]);
-    let c = u32x16::from_slice(s, &words[32..48]);
-    let d = u32x16::from_slice(s, &words[48..64]);
-    let [x, y, z, w] = columns4(a, b, c, d);
+    let rows: &[[u32; 4]; 16] = bytemuck::cast_ref(positions);
+    let [x, y, z, w] = columns4(each_of_sixteen!(|k| u32x4::simd_from(s, rows[k])));
     [x.bitcast(), y.bitcast(), z.bitcast(), w.bitcast()]
 }
 

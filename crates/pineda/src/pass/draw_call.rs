@@ -7,7 +7,7 @@ use crate::geometry::raster_space::ScreenVertex;
 use crate::lanes::Scalar;
 use crate::math::Vec4;
 use crate::shading::packet::{PacketBatch, VaryingLayout};
-use crate::shading::run::{RECORD_HEADER, Source, record_rows};
+use crate::shading::run::{RECORD_HEADER, RecordRow, Source, record_rows};
 use crate::shading::{
     __Layout as Layout, Closure, ClosureFragment, ClosureKind, FragmentKind, Interpolation, MAX_CLIP_DISTANCES, Native,
     OutputLayout, Outputs, Shader, StageUses, Varyings, native,
@@ -51,7 +51,7 @@ pub(crate) struct VertexJob<'a> {
     pub(crate) first_place: usize,
     pub(crate) projection: &'a Projection,
     pub(crate) screen: &'a mut [ScreenVertex],
-    pub(crate) records: &'a mut [[u32; 4]],
+    pub(crate) records: &'a mut [RecordRow],
 }
 
 /// A draw with a [`Shader`].

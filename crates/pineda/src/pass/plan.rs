@@ -17,7 +17,7 @@ use crate::raster::samples::Samples;
 use crate::raster::stroke::{Stroke, StrokeShape};
 use crate::raster::triangle_id::MAX_BATCH_TRIANGLES;
 use crate::shading::StageUses;
-use crate::shading::run::Source;
+use crate::shading::run::{RecordRow, Source};
 use crate::wide::{Simd, f32x16};
 use std::ops::Range;
 
@@ -273,14 +273,14 @@ fn piece<'p>(
             Indices::U32(_) => extent.instances > 1,
             Indices::U8(_) | Indices::U16(_) => true,
         };
-    let stroke_bytes = size_of::<Stroke>() + RECORDS_EACH * 16 * call.record_rows();
+    let stroke_bytes = size_of::<Stroke>() + RECORDS_EACH * size_of::<RecordRow>() * call.record_rows();
     let triangle_bytes = match strokes::shape(call.state()) {
         Some(_) => strokes::numbers_each(call.state()) * (stroke_bytes + STROKE_BYTES * samples.count()),
         None if call.state().conservative != Conservative::Off => STROKE_BYTES * samples.count(),
         None => TRIANGLE_BYTES * samples.count(),
     };
     let triangle_bytes = triangle_bytes + if is_assembled { ASSEMBLED_BYTES } else { 0 };
-    let vertex_bytes = SCREEN_VERTEX_BYTES + 16 * call.record_rows();
+    let vertex_bytes = SCREEN_VERTEX_BYTES + size_of::<RecordRow>() * call.record_rows();
     let bytes = |triangles: usize, vertices: usize| {
         triangles.saturating_mul(triangle_bytes).saturating_add(vertices.saturating_mul(vertex_bytes))
     };

@@ -12,6 +12,7 @@ use super::{DrawStatistics, Pass, Statistics};
 use crate::geometry::raster_space::ScreenVertex;
 use crate::raster::bins::{Share, TileGrid};
 use crate::raster::stroke::Stroke;
+use crate::shading::run::RecordRow;
 use crate::tile::paint::Painter;
 use crate::tile::view::TileView;
 use crate::{Error, Settings, Target};
@@ -25,9 +26,9 @@ pub struct Renderer {
     settings: Settings,
     assembled: Vec<[u32; 3]>,
     screen: Vec<ScreenVertex>,
-    records: Vec<[u32; 4]>,
+    records: Vec<RecordRow>,
     strokes: Vec<Stroke>,
-    stroke_records: Vec<[u32; 4]>,
+    stroke_records: Vec<RecordRow>,
     shares: Vec<Share>,
     painters: Vec<Painter>,
     /// The depth between flushes, for targets without a depth buffer.

@@ -23,7 +23,7 @@ use crate::raster::corners::Corners;
 use crate::raster::depth_bias::Bias;
 use crate::raster::stroke::{Fate, Stroke, StrokeShape};
 use crate::shading::Interpolation;
-use crate::shading::run::{RECORD_HEADER, Source};
+use crate::shading::run::{RECORD_HEADER, RecordRow, Source};
 use std::ops::Range;
 
 /// Vertex records of a stroke.
@@ -71,13 +71,13 @@ pub(crate) struct Expansion<'a> {
     pub(crate) corners: Corners<'a>,
     pub(crate) source: Source<'a>,
     pub(crate) screen: &'a [ScreenVertex],
-    pub(crate) records: &'a [[u32; 4]],
+    pub(crate) records: &'a [RecordRow],
     pub(crate) bias: Option<Bias>,
 }
 
 impl Expansion<'_> {
     /// The strokes of the primitives from `first` on, and their records.
-    pub(crate) fn run(&self, first: usize, strokes: &mut [Stroke], records: &mut [[u32; 4]]) {
+    pub(crate) fn run(&self, first: usize, strokes: &mut [Stroke], records: &mut [RecordRow]) {
         let state = self.call.state();
         let (rows, each) = (self.call.record_rows(), numbers_each(state));
         let outputs = strokes.chunks_mut(each).zip(records.chunks_mut(each * RECORDS_EACH * rows));
@@ -100,7 +100,7 @@ impl Expansion<'_> {
         }
     }
 
-    fn one(&self, ends: [usize; 2], from: usize, flat: usize, stroke: &mut Stroke, records: &mut [[u32; 4]]) {
+    fn one(&self, ends: [usize; 2], from: usize, flat: usize, stroke: &mut Stroke, records: &mut [RecordRow]) {
         match self.shape {
             StrokeShape::Point => self.point(ends[0], flat, stroke, records),
             _ => self.line(ends, from, flat, stroke, records),
@@ -157,7 +157,7 @@ impl Expansion<'_> {
         self.call.position(self.source.vertex(place))
     }
 
-    fn point(&self, place: usize, flat: usize, stroke: &mut Stroke, records: &mut [[u32; 4]]) {
+    fn point(&self, place: usize, flat: usize, stroke: &mut Stroke, records: &mut [RecordRow]) {
         let mut screen = self.screen[place];
         let mut is_plain = true;
         match screen.outcode() {
@@ -205,7 +205,7 @@ impl Expansion<'_> {
     }
 
     /// A line between two vertices, with one's record first, and the flat varyings of some vertex.
-    fn line(&self, ends: [usize; 2], from: usize, flat: usize, stroke: &mut Stroke, records: &mut [[u32; 4]]) {
+    fn line(&self, ends: [usize; 2], from: usize, flat: usize, stroke: &mut Stroke, records: &mut [RecordRow]) {
         let screen = ends.map(|place| self.screen[place]);
         let codes = screen.map(ScreenVertex::outcode);
         if (codes[0] | codes[1]) & outcode::NON_FINITE != 0 {
@@ -262,19 +262,19 @@ impl Expansion<'_> {
         (c_record[0][0], c_record[0][1]) = (c[0] as u32, c[1] as u32);
     }
 
-    fn record(&self, place: usize) -> &[[u32; 4]] {
+    fn record(&self, place: usize) -> &[RecordRow] {
         let rows = self.call.record_rows();
         &self.records[place * rows..(place + 1) * rows]
     }
 
     /// A vertex's record, at another place on the raster.
-    fn copy(&self, place: usize, [x, y]: [i32; 2], out: &mut [[u32; 4]]) {
+    fn copy(&self, place: usize, [x, y]: [i32; 2], out: &mut [RecordRow]) {
         out.copy_from_slice(self.record(place));
         (out[0][0], out[0][1]) = (x as u32, y as u32);
     }
 
     /// Takes the flat varyings over from another vertex.
-    fn copy_flat(&self, place: usize, out: &mut [[u32; 4]]) {
+    fn copy_flat(&self, place: usize, out: &mut [RecordRow]) {
         let from = self.record(place).as_flattened();
         for (k, interpolation) in self.call.layout().interpolation.iter().enumerate() {
             if *interpolation == Interpolation::Flat {
@@ -284,7 +284,7 @@ impl Expansion<'_> {
     }
 
     /// The record of a point of a line: varyings by the weights of the line's ends, in space and on the screen; flat ones of end `own`.
-    fn mix(&self, ends: [usize; 2], own: usize, in_space: [f64; 2], on_screen: [f64; 2], out: &mut [[u32; 4]]) {
+    fn mix(&self, ends: [usize; 2], own: usize, in_space: [f64; 2], on_screen: [f64; 2], out: &mut [RecordRow]) {
         out.copy_from_slice(self.record(ends[own]));
         let [a, b] = ends.map(|place| self.record(place).as_flattened());
         for (k, interpolation) in self.call.layout().interpolation.iter().enumerate() {
@@ -303,7 +303,7 @@ impl Expansion<'_> {
     }
 }
 
-fn three(records: &mut [[u32; 4]], rows: usize) -> [&mut [[u32; 4]]; 3] {
+fn three(records: &mut [RecordRow], rows: usize) -> [&mut [RecordRow]; 3] {
     let (p, rest) = records.split_at_mut(rows);
     let (q, c) = rest.split_at_mut(rows);
     [p, q, c]

@@ -174,7 +174,7 @@ impl<'a> Iterator for Stretches<'a> {
 }
 
 /// Enters a record into every tile of its box.
-#[inline(always)]
+#[inline(never)]
 pub(crate) fn bin(bins: &mut [Vec<BinEntry>], grid: &TileGrid, tiles: SampleBox, entry: BinEntry) {
     let mut y = tiles.y0;
     while y <= tiles.y1 {

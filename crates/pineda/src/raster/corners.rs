@@ -1,7 +1,7 @@
 //! Which vertices a triangle has, and loading sixteen triangles' vertices at once.
 
 use crate::geometry::raster_space::ScreenVertex;
-use crate::transpose::columns4;
+use crate::transpose::{columns4, each_of_sixteen};
 use crate::wide::{Simd, f32x16, i32x16, u32x4, u32x16};
 
 /// Where the shaded vertices of a run of triangles stand. Corner 0 is the provoking vertex.
@@ -44,7 +44,8 @@ impl Corners<'_> {
                 let mut corners = [[0; 16]; 3];
                 let mut k = 0;
                 while k < 16 {
-                    [corners[0][k], corners[1][k], corners[2][k]] = indices[t[k] as usize];
+                    // A minimum instead of a comparison and a branch: what is loaded first need not wait until the last index is judged.
+                    [corners[0][k], corners[1][k], corners[2][k]] = indices[(t[k] as usize).min(indices.len() - 1)];
                     k += 1;
                 }
                 let [a, b, c] = corners;
@@ -53,33 +54,6 @@ impl Corners<'_> {
             }
             Corners::Sequential => [t * 3, t * 3 + 1, t * 3 + 2],
         }
-    }
-
-    /// The places of the vertices of sixteen triangles from `t` on, of which `count` exist; the others repeat the last one.
-    #[inline(always)]
-    fn sixteen(&self, t: usize, count: usize) -> [u32; 48] {
-        let mut places = [0; 48];
-        match *self {
-            Corners::Indexed { indices, first_vertex } => {
-                let row = indices[t..t + count].as_flattened();
-                places[..row.len()].copy_from_slice(row);
-                if first_vertex != 0 {
-                    let mut k = 0;
-                    while k < 3 * count {
-                        places[k] = places[k].wrapping_sub(first_vertex);
-                        k += 1;
-                    }
-                }
-            }
-            Corners::Sequential => {
-                let mut k = 0;
-                while k < 3 * count {
-                    places[k] = (3 * t + k) as u32;
-                    k += 1;
-                }
-            }
-        }
-        places
     }
 }
 
@@ -92,50 +66,71 @@ pub(crate) struct Sixteen<S: Simd> {
 }
 
 impl<S: Simd> Sixteen<S> {
-    /// Loads triangles `t` to `t + count` of a run.
+    /// Loads triangles `t` to `t + count` of a run, up to sixteen.
     #[inline(always)]
     pub(crate) fn load(s: S, corners: &Corners<'_>, screen: &[ScreenVertex], t: usize, count: usize) -> Self {
-        let places = corners.sixteen(t, count);
-        let (x0, y0, z0) = column(s, &places, screen, 0);
-        let (x1, y1, z1) = column(s, &places, screen, 1);
-        let (x2, y2, z2) = column(s, &places, screen, 2);
-        Self { x: [x0, x1, x2], y: [y0, y1, y2], z: [z0, z1, z2] }
+        let mut own = [[0; 3]; 16];
+        match *corners {
+            Corners::Indexed { indices, first_vertex } => {
+                if count == 16
+                    && let Some(indices) = indices[t..].first_chunk()
+                {
+                    return Self::of(s, indices, first_vertex, screen);
+                }
+                own[..count].copy_from_slice(&indices[t..t + count]);
+                own[count..].fill([first_vertex; 3]);
+                Self::of(s, &own, first_vertex, screen)
+            }
+            Corners::Sequential => {
+                let mut k = 0;
+                while k < count {
+                    own[k] = [3 * (t + k) as u32, 3 * (t + k) as u32 + 1, 3 * (t + k) as u32 + 2];
+                    k += 1;
+                }
+                Self::of(s, &own, 0, screen)
+            }
+        }
     }
 
     /// Up to sixteen triangles from elsewhere.
     #[inline(always)]
     pub(crate) fn from_triangles(s: S, triangles: &[[ScreenVertex; 3]]) -> Self {
-        let mut screen = [ScreenVertex::default(); 48];
-        let mut places = [0; 48];
-        let mut k = 0;
-        while k < 3 * triangles.len().min(16) {
-            screen[k] = triangles[k / 3][k % 3];
-            places[k] = k as u32;
-            k += 1;
+        Self::load(s, &Corners::Sequential, triangles.as_flattened(), 0, triangles.len().min(16))
+    }
+
+    #[inline(always)]
+    fn of(s: S, indices: &[[u32; 3]; 16], first_vertex: u32, screen: &[ScreenVertex]) -> Self {
+        let mut columns = [[[0; 16]; 3]; 3];
+        let [a, b, c] = &mut columns;
+        load_column::<S, 0>(s, indices, first_vertex, screen, a);
+        load_column::<S, 1>(s, indices, first_vertex, screen, b);
+        load_column::<S, 2>(s, indices, first_vertex, screen, c);
+        let word = |corner: usize, word: usize| u32x16::from_slice(s, &columns[corner][word]);
+        Self {
+            x: [word(0, 0).bitcast(), word(1, 0).bitcast(), word(2, 0).bitcast()],
+            y: [word(0, 1).bitcast(), word(1, 1).bitcast(), word(2, 1).bitcast()],
+            z: [word(0, 2).bitcast(), word(1, 2).bitcast(), word(2, 2).bitcast()],
         }
-        let (x0, y0, z0) = column(s, &places, &screen, 0);
-        let (x1, y1, z1) = column(s, &places, &screen, 1);
-        let (x2, y2, z2) = column(s, &places, &screen, 2);
-        Self { x: [x0, x1, x2], y: [y0, y1, y2], z: [z0, z1, z2] }
     }
 }
 
-/// Corner `c` of each of sixteen triangles.
-#[inline(always)]
-fn column<S: Simd>(s: S, places: &[u32; 48], screen: &[ScreenVertex], c: usize) -> (i32x16<S>, i32x16<S>, f32x16<S>) {
-    let a = four(s, places, screen, c);
-    let b = four(s, places, screen, c + 12);
-    let d = four(s, places, screen, c + 24);
-    let e = four(s, places, screen, c + 36);
-    let [x, y, z, _] = columns4(a, b, d, e);
-    (x.bitcast(), y.bitcast(), z.bitcast())
-}
-
-#[inline(always)]
-fn four<S: Simd>(s: S, places: &[u32; 48], screen: &[ScreenVertex], at: usize) -> u32x16<S> {
-    let a: u32x4<S> = u32x4::simd_from(s, screen[places[at] as usize].0);
-    let b: u32x4<S> = u32x4::simd_from(s, screen[places[at + 3] as usize].0);
-    let c: u32x4<S> = u32x4::simd_from(s, screen[places[at + 6] as usize].0);
-    let d: u32x4<S> = u32x4::simd_from(s, screen[places[at + 9] as usize].0);
-    a.combine(b).combine(c.combine(d))
+/// Corner `C` of each of sixteen triangles: x, y and z, lane by lane.
+///
+/// A function of its own, so that no more indices are at hand at once than there are registers for: see `load_rows` in `shading/by_lane.rs`.
+#[inline(never)]
+fn load_column<S: Simd, const C: usize>(
+    s: S,
+    indices: &[[u32; 3]; 16],
+    first_vertex: u32,
+    screen: &[ScreenVertex],
+    out: &mut [[u32; 16]; 3],
+) {
+    s.vectorize(
+        #[inline(always)]
+        || {
+            let vertex = |k: usize| (indices[k][C].wrapping_sub(first_vertex) as usize).min(screen.len() - 1);
+            let [x, y, z, _] = columns4(each_of_sixteen!(|k| u32x4::simd_from(s, screen[vertex(k)].0)));
+            *out = [x.into(), y.into(), z.into()];
+        },
+    );
 }

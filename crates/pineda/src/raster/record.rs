@@ -51,9 +51,9 @@ pub(crate) fn plane_bits(plane: u32) -> i32 {
 impl SmallTriangle {
     /// Its first block, across and down, and its sample's plane.
     #[inline(always)]
-    pub(crate) fn place(&self) -> (i32, i32, usize) {
-        let at = self.0[1];
-        ((at & 0xffff) as i32, (at >> 16 & 0xfff) as i32, (at >> PLANE_SHIFT) as usize)
+    pub(crate) fn place(&self) -> (usize, usize, usize) {
+        let at = self.0[1] as usize;
+        (at & 0xffff, at >> 16 & 0xfff, at >> PLANE_SHIFT)
     }
 }
 

@@ -4,12 +4,12 @@ use super::barycentric::{Both, Corner3};
 use super::centroid::centroid_offsets_of_vertices;
 use super::distinct::{Distinct, Fragments};
 use super::packet::{BATCH, PacketBatch, PacketRows, VaryingLayout};
-use super::run::{RECORD_HEADER, RunView, record_rows};
+use super::run::{RECORD_HEADER, RecordRow, RunView, record_rows};
 use super::weights::of_lanes;
 use crate::geometry::raster_space::{HALF_PIXEL, SUBPIXELS};
 use crate::raster::triangle_id::ORDER_BITS;
 use crate::tile::view::{BlockLanes, Positions};
-use crate::transpose::columns4;
+use crate::transpose::{columns4, each_of_sixteen};
 use crate::wide::{Simd, f32x16, i32x16, u32x4, u32x16};
 
 /// A triangle for each lane: the places of its three vertices, in canonical order; and the first rows of their records.
@@ -37,11 +37,16 @@ impl ByLane {
         }
     }
 
-    /// Row `r` of the records of each lane's vertex `corner`, in canonical order: four words, lane by lane.
+    /// Row `r` of the records of each lane's three vertices, in canonical order: eight words, lane by lane.
+    ///
+    /// If `is_half`, only the first four are needed, and loaded.
     #[inline(always)]
-    fn row<S: Simd>(&self, s: S, run: &RunView<'_>, corner: usize, r: usize) -> [u32x16<S>; 4] {
-        let at = &self.rows[corner];
-        columns4(four(s, run, at, r, 0), four(s, run, at, r, 4), four(s, run, at, r, 8), four(s, run, at, r, 12))
+    fn load<S: Simd>(&self, s: S, run: &RunView<'_>, r: usize, is_half: bool, corners: &mut [[[u32; 16]; 8]; 3]) {
+        let ([a, b, c], records) = (corners, &run.records[r..]);
+        let load = if is_half { load_rows::<S, true> } else { load_rows::<S, false> };
+        load(s, records, &self.rows[0], a);
+        load(s, records, &self.rows[1], b);
+        load(s, records, &self.rows[2], c);
     }
 
     /// The depths of each lane's vertices.
@@ -57,20 +62,6 @@ impl ByLane {
         let [f0, d1, d2] = depths;
         Corner3 { f0: f32x16::simd_from(s, f0), d1: f32x16::simd_from(s, d1), d2: f32x16::simd_from(s, d2) }
     }
-}
-
-#[inline(always)]
-fn four<S: Simd>(s: S, run: &RunView<'_>, at: &[u32; 16], r: usize, lane: usize) -> u32x16<S> {
-    let a = load(s, run, at[lane] as usize + r);
-    let b = load(s, run, at[lane + 1] as usize + r);
-    let c = load(s, run, at[lane + 2] as usize + r);
-    let d = load(s, run, at[lane + 3] as usize + r);
-    a.combine(b).combine(c.combine(d))
-}
-
-#[inline(always)]
-fn load<S: Simd>(s: S, run: &RunView<'_>, at: usize) -> u32x4<S> {
-    u32x4::simd_from(s, run.records[at])
 }
 
 /// Packets whose lanes each load vertices of their own; with derivatives if `FULL`.
@@ -105,32 +96,33 @@ fn lane_by_lane<S: Simd, const FULL: bool>(
 ) {
     let varyings = layout.interpolation.len();
     let vertices = &ByLane::new(s, run, record_rows(varyings), &distinct.lanes);
-    // The first row of each record holds x, y, 1 / w and the first varying.
-    let [mut a, mut b, mut c] = rows_of_three(s, run, vertices, 0);
+    // The first row of each record holds x, y, 1 / w and the first varyings.
+    let mut corners = [[[0; 16]; 8]; 3];
+    vertices.load(s, run, 0, varyings <= 4 - RECORD_HEADER, &mut corners);
     let at = Positions::new(s, lanes, fragments.moved);
     let x = at.x + (fragments.x * SUBPIXELS + HALF_PIXEL);
     let y = at.y + (fragments.y * SUBPIXELS + HALF_PIXEL);
-    let mut vx = [a[0].bitcast::<i32x16<S>>() - x, b[0].bitcast::<i32x16<S>>() - x, c[0].bitcast::<i32x16<S>>() - x];
-    let mut vy = [a[1].bitcast::<i32x16<S>>() - y, b[1].bitcast::<i32x16<S>>() - y, c[1].bitcast::<i32x16<S>>() - y];
+    let [x0, x1, x2] = word(s, &corners, 0).map(u32x16::bitcast::<i32x16<S>>);
+    let [y0, y1, y2] = word(s, &corners, 1).map(u32x16::bitcast::<i32x16<S>>);
+    let (mut vx, mut vy) = ([x0 - x, x1 - x, x2 - x], [y0 - y, y1 - y, y2 - y]);
     if fragments.border != 0 {
         let [ox, oy] = centroid_offsets_of_vertices(s, vx, vy, fragments.border, fragments.samples);
         (vx, vy) = ([vx[0] - ox, vx[1] - ox, vx[2] - ox], [vy[0] - oy, vy[1] - oy, vy[2] - oy]);
     }
-    let weights = of_lanes::<S, FULL>(vx, vy, [a[2].bitcast(), b[2].bitcast(), c[2].bitcast()]);
+    let weights = of_lanes::<S, FULL>(vx, vy, word(s, &corners, 2).map(u32x16::bitcast));
     let both = Both::new::<FULL>(s, &weights, layout);
     let mut r = 0;
     while r < record_rows(varyings) {
         if r != 0 {
-            [a, b, c] = rows_of_three(s, run, vertices, r);
+            vertices.load(s, run, r, RECORD_HEADER + varyings <= 8 * r + 4, &mut corners);
         }
         let mut i = 0;
-        while i < 4 {
+        while i < 8 {
             // Words before the varyings, or behind the last.
-            let k = (4 * r + i).wrapping_sub(RECORD_HEADER);
+            let k = (8 * r + i).wrapping_sub(RECORD_HEADER);
             if k < varyings {
-                let f0: f32x16<S> = a[i].bitcast();
-                let corner = Corner3 { f0, d1: b[i].bitcast::<f32x16<S>>() - f0, d2: c[i].bitcast::<f32x16<S>>() - f0 };
-                both.set::<FULL>(layout, rows, k, corner);
+                let [f0, f1, f2] = word(s, &corners, i).map(u32x16::bitcast::<f32x16<S>>);
+                both.set::<FULL>(layout, rows, k, Corner3 { f0, d1: f1 - f0, d2: f2 - f0 });
             }
             i += 1;
         }
@@ -141,8 +133,33 @@ fn lane_by_lane<S: Simd, const FULL: bool>(
     }
 }
 
-/// Row `r` of the records of all three vertices.
+/// Word `i` of the rows of all three vertices.
 #[inline(always)]
-fn rows_of_three<S: Simd>(s: S, run: &RunView<'_>, vertices: &ByLane, r: usize) -> [[u32x16<S>; 4]; 3] {
-    [vertices.row(s, run, 0, r), vertices.row(s, run, 1, r), vertices.row(s, run, 2, r)]
+fn word<S: Simd>(s: S, corners: &[[[u32; 16]; 8]; 3], i: usize) -> [u32x16<S>; 3] {
+    [
+        u32x16::from_slice(s, &corners[0][i]),
+        u32x16::from_slice(s, &corners[1][i]),
+        u32x16::from_slice(s, &corners[2][i]),
+    ]
+}
+
+/// Loads the rows that `at` names: eight words, lane by lane; if `HALF`, the first four, and they stand for the others.
+///
+/// A function of its own, so that no more indices are at hand at once than there are registers for. Among other code the compiler finds all 48 of a packet first, and puts them and
+/// most of what they load into memory.
+#[inline(never)]
+fn load_rows<S: Simd, const HALF: bool>(s: S, rows: &[RecordRow], at: &[u32; 16], out: &mut [[u32; 16]; 8]) {
+    s.vectorize(
+        #[inline(always)]
+        || {
+            // A minimum instead of a comparison and a branch: what is loaded first need not wait until the last index is judged.
+            let row = |lane: usize| rows[(at[lane] as usize).min(rows.len() - 1)].as_chunks::<4>().0;
+            let [a, b, c, d] = columns4(each_of_sixteen!(|lane| u32x4::simd_from(s, row(lane)[0])));
+            let [mut e, mut f, mut g, mut h] = [a, b, c, d];
+            if !HALF {
+                [e, f, g, h] = columns4(each_of_sixteen!(|lane| u32x4::simd_from(s, row(lane)[1])));
+            }
+            *out = [a.into(), b.into(), c.into(), d.into(), e.into(), f.into(), g.into(), h.into()];
+        },
+    );
 }

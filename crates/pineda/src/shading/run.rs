@@ -11,9 +11,12 @@ use crate::raster::triangle_id::{ORDERS, TriangleId};
 /// Words of a vertex record before its varyings: x and y in subpixels, 1 / w.
 pub(crate) const RECORD_HEADER: usize = 3;
 
-/// Rows of four words of the record of a vertex with `varyings` numbers.
+/// Vertex records are whole rows of these: what lanes load of many vertices is found and checked once for each.
+pub(crate) type RecordRow = [u32; 8];
+
+/// Rows of the record of a vertex with `varyings` numbers.
 pub(crate) const fn record_rows(varyings: usize) -> usize {
-    (RECORD_HEADER + varyings).div_ceil(4)
+    (RECORD_HEADER + varyings).div_ceil(8)
 }
 
 /// Which vertex of the draw stands at a place.
@@ -60,7 +63,7 @@ pub(crate) struct RunView<'a> {
     /// The number of its first triangle in the batch.
     pub(crate) first_number: usize,
     /// [`record_rows`] for each vertex.
-    pub(crate) records: &'a [[u32; 4]],
+    pub(crate) records: &'a [RecordRow],
     /// The vertices on the raster; none of strokes.
     pub(crate) screen: &'a [ScreenVertex],
     pub(crate) projection: &'a Projection,
@@ -116,6 +119,6 @@ impl RunView<'_> {
     #[inline(always)]
     fn word(&self, each: usize, place: usize, k: usize) -> f32 {
         let at = RECORD_HEADER + k;
-        f32::from_bits(self.records[place * each + at / 4][at % 4])
+        f32::from_bits(self.records[place * each + at / 8][at % 8])
     }
 }

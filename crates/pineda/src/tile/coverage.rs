@@ -37,7 +37,11 @@ pub(crate) fn cover<S: Simd, K: Sink<S>>(
             has_waiting = false;
         }
         if entry.kind() == Kind::Small {
-            small(s, &share.small[entry.index()], view, &lanes, sink);
+            let first = i - 1;
+            while i < entries.len() && entries[i].kind() == Kind::Small {
+                i += 1;
+            }
+            small(s, &share.small, &entries[first..i], view, sink);
         } else {
             large(s, &share.large[entry.index()], view, rect, &lanes, sink);
         }

@@ -50,6 +50,13 @@ impl TileView {
         (y + 1) as usize * self.stride + (x + 1) as usize
     }
 
+    /// The number that the picture's first block would have, as far from this tile's as it is; wrapped around.
+    #[inline(always)]
+    pub(crate) fn first_block(&self) -> usize {
+        let (x, y) = ((self.x >> 2) as usize, (self.y >> 2) as usize);
+        (self.stride + 1).wrapping_sub(y * self.stride + x)
+    }
+
     /// Whether a block belongs to the border, where nothing counts.
     #[inline(always)]
     pub(crate) fn is_border(&self, block: usize) -> bool {

@@ -213,15 +213,35 @@ impl<S: Simd> u32x4<S> {
             }
         )
     }
+}
 
-    /// Rows to columns.
+impl<S: Simd> u32x8<S> {
+    /// The lanes of both in turn, four by four: of the first halves, then of the second. With AVX2 one instruction for each result, where across halves it is two.
+    ///
+    /// Only where the level [has halves](Simd::HAS_HALVES).
     #[inline(always)]
-    pub(crate) fn transpose([a, b, c, d]: [Self; 4]) -> [Self; 4] {
-        let ((ac, ac_high), (bd, bd_high)) = (a.interleave(c), b.interleave(d));
-        let ((first, second), (third, fourth)) = (ac.interleave(bd), ac_high.interleave(bd_high));
-        [first, second, third, fourth]
+    fn interleave(self, other: Self) -> (Self, Self) {
+        let (first, second) = self.0.interleave(other.0);
+        let ((a, b), (c, d)) = (first.split(), second.split());
+        (Self(a.combine(c)), Self(b.combine(d)))
     }
 }
+
+macro_rules! transpose {
+    ($($name:ident)+) => {$(
+        impl<S: Simd> $name<S> {
+            /// Rows of four words to columns.
+            #[inline(always)]
+            pub(crate) fn transpose([a, b, c, d]: [Self; 4]) -> [Self; 4] {
+                let ((ac, ac_high), (bd, bd_high)) = (a.interleave(c), b.interleave(d));
+                let ((first, second), (third, fourth)) = (ac.interleave(bd), ac_high.interleave(bd_high));
+                [first, second, third, fourth]
+            }
+        }
+    )+};
+}
+
+transpose! { u32x4 u32x8 }
 
 impl<S: Simd> i64x8<S> {
     /// The low words of its lanes and then of those of `high`.

@@ -17,7 +17,7 @@ use crate::raster::depth_bias::Bias;
 use crate::raster::samples::SampleSet;
 use crate::raster::setup::SetupState;
 use crate::raster::stroke::{Stroke, StrokeState, set_up_strokes, set_up_triangles};
-use crate::shading::run::{RunView, Source};
+use crate::shading::run::{RecordRow, RunView, Source};
 use crate::shading::strokes::StrokeView;
 use crate::target::ColorBuffer;
 use crate::target::bands::Bands;
@@ -306,9 +306,9 @@ fn view<'a>(
     run: &'a Run<'_>,
     assembled: &'a [[u32; 3]],
     screen: &'a [ScreenVertex],
-    records: &'a [[u32; 4]],
+    records: &'a [RecordRow],
     all_strokes: &'a [Stroke],
-    stroke_records: &'a [[u32; 4]],
+    stroke_records: &'a [RecordRow],
 ) -> RunView<'a> {
     let state = pass.draws[run.draw].state();
     let plain = RunView {
