@@ -12,6 +12,7 @@ use pineda::{
     Error, Lanes, Real, Renderer, Rgba, Rgba16F, Sampler, Texture2d, TextureCube, Vec2, Vec3, Wrap, f16_to_f32,
     f32_to_f16, shader,
 };
+use std::borrow::Cow;
 use std::f32::consts::{FRAC_1_PI, PI};
 
 /// Texels of a face's sides in level 0.
@@ -22,7 +23,11 @@ const LEVELS: u32 = 6;
 const DRAWS: [u32; LEVELS as usize - 1] = [16, 24, 32, 48, 64];
 
 /// The studio's [`Filtered`] light. A test computes it anew and compares; `PINEDA_BLESS=1 cargo test --release -p pineda-looks --lib environment` writes it.
-const STUDIO: &[u8] = include_bytes!("studio.bin");
+static STUDIO: &Aligned<[u8]> = &Aligned(*include_bytes!("studio.bin"));
+
+/// Where texels can begin.
+#[repr(C, align(8))]
+struct Aligned<B: ?Sized>(B);
 
 /// Light that comes from infinitely far away, from all around.
 #[derive(Clone, Debug)]
@@ -40,7 +45,7 @@ pub struct Environment {
 #[derive(Debug, PartialEq)]
 struct Filtered {
     /// What mirrors, all levels.
-    levels: Vec<[u16; 4]>,
+    levels: Cow<'static, [[u16; 4]]>,
     /// What scatters.
     scattered: [[f32; 3]; 9],
 }
@@ -53,7 +58,7 @@ impl Environment {
     ///
     /// Errors: none that are known; they are a texture's.
     pub fn studio() -> Result<Self, Error> {
-        Ok(Self { is_studio: true, has_key: true, ..Self::new(Filtered::from_bytes(STUDIO))? })
+        Ok(Self { is_studio: true, has_key: true, ..Self::new(Filtered::from_bytes(&STUDIO.0))? })
     }
 
     /// The studio with its key light off and the others dimmed, to be there beside a scene's own lights. It takes some milliseconds.
@@ -131,20 +136,25 @@ impl Filtered {
             let prefilter = Paint::Prefilter(Prefilter { source: &source, lobe: lobe(roughness, draws) });
             levels.append(&mut paint::faces(&prefilter, SIZE >> level, renderer)?);
         }
-        Ok(Self { levels, scattered })
+        Ok(Self { levels: levels.into(), scattered })
     }
 
-    /// From bytes that hold what scatters as f32, and then the colours of what mirrors, without alpha, as halves; all little-endian.
-    fn from_bytes(bytes: &[u8]) -> Self {
+    /// From bytes that hold the colours of what mirrors as halves, and then what scatters as f32; all little-endian. Where the machine is, too, the colours stay where they are.
+    fn from_bytes(bytes: &'static [u8]) -> Self {
         let mut scattered = [[0.0; 3]; 9];
-        let (head, texels) = bytes.split_at(size_of_val(&scattered));
-        for (number, bytes) in scattered.as_flattened_mut().iter_mut().zip(head.as_chunks().0) {
+        let (texels, rest) = bytes.split_at(bytes.len() - size_of_val(&scattered));
+        for (number, bytes) in scattered.as_flattened_mut().iter_mut().zip(rest.as_chunks().0) {
             *number = f32::from_le_bytes(*bytes);
         }
-        let texel = |&[r, s, g, h, b, c]: &[u8; 6]| {
-            [u16::from_le_bytes([r, s]), u16::from_le_bytes([g, h]), u16::from_le_bytes([b, c]), f32_to_f16(1.0)]
+        let levels = match bytemuck::try_cast_slice(texels) {
+            Ok(texels) if cfg!(target_endian = "little") => Cow::Borrowed(texels),
+            _ => {
+                let texel =
+                    |&[r, s, g, h, b, c, a, d]: &[u8; 8]| [[r, s], [g, h], [b, c], [a, d]].map(u16::from_le_bytes);
+                texels.as_chunks().0.iter().map(texel).collect()
+            }
         };
-        Self { levels: texels.as_chunks().0.iter().map(texel).collect(), scattered }
+        Self { levels, scattered }
     }
 }
 
@@ -254,10 +264,8 @@ mod tests {
     use pineda::Settings;
 
     fn to_bytes(filtered: &Filtered) -> Vec<u8> {
-        let mut bytes: Vec<u8> = filtered.scattered.as_flattened().iter().flat_map(|x| x.to_le_bytes()).collect();
-        for [r, g, b, _] in &filtered.levels {
-            bytes.extend([r, g, b].into_iter().flat_map(|x| x.to_le_bytes()));
-        }
+        let mut bytes: Vec<u8> = filtered.levels.as_flattened().iter().flat_map(|x| x.to_le_bytes()).collect();
+        bytes.extend(filtered.scattered.as_flattened().iter().flat_map(|x| x.to_le_bytes()));
         bytes
     }
 
@@ -272,6 +280,6 @@ mod tests {
             let path = concat!(env!("CARGO_MANIFEST_DIR"), "/src/pbr/studio.bin");
             return std::fs::write(path, to_bytes(&computed)).unwrap();
         }
-        assert!(Filtered::from_bytes(STUDIO) == computed, "the studio has changed: see `STUDIO`");
+        assert!(Filtered::from_bytes(&STUDIO.0) == computed, "the studio has changed: see `STUDIO`");
     }
 }

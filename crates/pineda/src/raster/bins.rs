@@ -117,6 +117,15 @@ impl Share {
         self.bins.resize_with(grid.tile_count(), Vec::new);
     }
 
+    /// Makes room for the records of so many triangles with so many samples a pixel, before they come one by one: lists that grow are copied, and to touch memory for the first time takes
+    /// longer than to write a record there. More than some ten thousand grow all the same.
+    pub(crate) fn make_room(&mut self, triangles: usize, samples: usize) {
+        const MOST: usize = 1 << 16;
+        let records = triangles.saturating_mul(samples).min(MOST);
+        make_room(&mut self.small, records);
+        make_room(&mut self.mid, records);
+    }
+
     /// Adds what has been counted since `before` to a draw's numbers.
     pub(crate) fn count(&mut self, draw: usize, before: &Statistics) {
         if self.draws.len() <= draw {
@@ -143,6 +152,15 @@ impl Share {
             self.segments.push(SegmentStart { segment, small, mid, large });
         }
     }
+}
+
+fn make_room<T>(records: &mut Vec<T>, more: usize) {
+    // Nothing is to be kept of an empty list, but when it grows, it is copied as a whole.
+    if records.is_empty() && records.capacity() < more {
+        *records = Vec::new();
+    }
+    // Without memory for all of them, there may be enough for those that come.
+    let _ = records.try_reserve(more);
 }
 
 /// The stretches of a tile's bin that belong to one segment each.

@@ -29,12 +29,12 @@ use crate::{Target, parallel};
 
 /// Triangles that one job assembles.
 const ASSEMBLED_PER_JOB: usize = 1 << 15;
-/// Vertices that one job shades.
-const VERTICES_PER_JOB: usize = 4096;
+/// Vertices that one job shades: fewer take less time than a thread to start.
+const VERTICES_PER_JOB: usize = 1 << 13;
 /// Lines or points that one job makes; those of a triangle stay together.
 const STROKES_PER_JOB: usize = 3 * 1024;
-/// Triangles below which another share is not worth its bins.
-const LEAST_SHARE: usize = 512;
+/// Triangles below which another share is not worth its bins, and a thread.
+const LEAST_SHARE: usize = 1 << 14;
 
 impl Renderer {
     /// Primitive assembly, where triangles are not given as the later stages want them.
@@ -194,6 +194,7 @@ impl Renderer {
                     vertices: &vertices,
                 };
                 share.start_segment(run.segment);
+                share.make_room(end - run.first_number - start, target.samples.count());
                 let (range, screen) = (start..end - run.first_number, &screen[run.screen.clone()]);
                 let before = share.statistics;
                 match call.state().conservative {
