@@ -17,5 +17,6 @@ pub(crate) mod setup;
 pub(crate) mod smooth;
 pub(crate) mod strips;
 pub(crate) mod stroke;
+mod tile_boxes;
 pub(crate) mod top_left;
 pub(crate) mod triangle_id;

@@ -4,15 +4,16 @@
 //! plane, and, by its size, its coverage mask (small) or its edge functions (mid). Then, one after the other in submission order, its
 //! record and its bins.
 
-use super::bins::{BinEntry, Kind, Share, TileGrid, bin, bin_large};
+use super::bins::{BinEntry, Kind, Share, TileGrid, bin_large};
 use super::canonical_order::CanonicalOrder;
 use super::corners::{Corners, Sixteen};
 use super::depth_bias::Bias;
 use super::edge::area_x2;
 use super::make_records::{Facts, large_records, mid_records, small_records};
 use super::reach::{PixelRect, Pixels, Reach};
-use super::record::{LargeTriangle, MidTriangle, SMALL_EXTENT, SampleBox, SmallTriangle};
+use super::record::{LargeTriangle, MidTriangle, SMALL_EXTENT, SmallTriangle};
 use super::samples::SampleSet;
+use super::tile_boxes::TileBoxes;
 use super::triangle_id::{CLIPPED_CLOCKWISE, CLIPPED_COUNTER_CLOCKWISE, ORDER_BITS, TriangleId};
 use crate::geometry::clip::{ClipTriangle, Clipped, clip};
 use crate::geometry::project::{Projection, outcode};
@@ -302,47 +303,4 @@ fn push_small(share: &mut Share, grid: &TileGrid, tiles: &TileBoxes, lane: usize
     let entry = BinEntry::new(Kind::Small, share.small.len());
     share.small.push(SmallTriangle(record));
     tiles.enter(&mut share.bins, grid, lane, entry);
-}
-
-/// The tiles that sixteen triangles may touch.
-struct TileBoxes {
-    x0: [i32; 16],
-    x1: [i32; 16],
-    y0: [i32; 16],
-    y1: [i32; 16],
-    /// The number of each one's first tile.
-    first: [i32; 16],
-    /// A bit for each that has no other.
-    single: u64,
-}
-
-impl TileBoxes {
-    #[inline(always)]
-    fn of<S: Simd>(grid: &TileGrid, pixels: &Pixels<S>) -> Self {
-        let (x0, x1) = (pixels.column0 >> grid.log2, pixels.column1 >> grid.log2);
-        let (y0, y1) = (pixels.row0 >> grid.log2, pixels.row1 >> grid.log2);
-        Self {
-            x0: x0.into(),
-            x1: x1.into(),
-            y0: y0.into(),
-            y1: y1.into(),
-            first: (y0 * grid.columns as i32 + x0).into(),
-            single: (x0.simd_eq(x1) & y0.simd_eq(y1)).to_bitmask(),
-        }
-    }
-
-    #[inline(always)]
-    fn of_lane(&self, lane: usize) -> SampleBox {
-        SampleBox { x0: self.x0[lane], x1: self.x1[lane], y0: self.y0[lane], y1: self.y1[lane] }
-    }
-
-    /// Enters the record of a triangle into every tile that it may touch: mostly one, which takes half as many instructions by itself.
-    #[inline(always)]
-    fn enter(&self, bins: &mut [Vec<BinEntry>], grid: &TileGrid, lane: usize, entry: BinEntry) {
-        if self.single >> lane & 1 != 0 {
-            bins[self.first[lane] as usize].push(entry);
-        } else {
-            bin(bins, grid, self.of_lane(lane), entry);
-        }
-    }
 }

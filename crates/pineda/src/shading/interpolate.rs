@@ -5,7 +5,7 @@
 //!
 //! - a *few* triangles, one to eight: their edge functions and varyings are made ready once while a tile shows them, and the lanes pick theirs;
 //! - one *large* triangle: what does not fit 32 bits is computed in f64;
-//! - *many*: each lane loads its own vertices; rows of four words are turned round by shuffles;
+//! - *many*: each lane loads its own vertices; rows of eight words are turned round by shuffles;
 //! - *in full*: what is clipped, flat, or linear on the screen.
 //!
 //! Nothing here knows the shader's types: varyings are rows of numbers, so that this is compiled once for each SIMD level, and not again for
