@@ -243,6 +243,6 @@ fn memory_that_is_not_there_is_an_error() {
 #[test]
 #[ignore = "memory_that_is_not_there_is_an_error runs it with little memory"]
 fn in_two_gigabytes() {
-    let error = far_apart(250_000_000, Settings { memory: usize::MAX, ..Settings::default() });
+    let error = far_apart(170_000_000, Settings { memory: usize::MAX, ..Settings::default() });
     assert!(matches!(error, Err(Error::OutOfMemory { bytes, .. }) if bytes > 2_000_000_000), "{error:?}");
 }
