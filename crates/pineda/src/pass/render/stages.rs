@@ -29,12 +29,12 @@ use crate::{Target, parallel};
 
 /// Triangles that one job assembles.
 const ASSEMBLED_PER_JOB: usize = 1 << 15;
-/// Vertices that one job shades: fewer take less time than a thread to start.
-const VERTICES_PER_JOB: usize = 1 << 13;
+/// Vertices that one job shades: fewer take less time than a thread to start. In builds for tests fewer all the same, so that small scenes have several jobs.
+const VERTICES_PER_JOB: usize = if cfg!(debug_assertions) { 1 << 12 } else { 1 << 13 };
 /// Lines or points that one job makes; those of a triangle stay together.
 const STROKES_PER_JOB: usize = 3 * 1024;
-/// Triangles below which another share is not worth its bins, and a thread.
-const LEAST_SHARE: usize = 1 << 14;
+/// Triangles below which another share is not worth its bins, and a thread; in builds for tests fewer, too.
+const LEAST_SHARE: usize = if cfg!(debug_assertions) { 1 << 9 } else { 1 << 14 };
 
 impl Renderer {
     /// Primitive assembly, where triangles are not given as the later stages want them.
