@@ -282,4 +282,13 @@ mod tests {
         }
         assert!(Filtered::from_bytes(&STUDIO.0) == computed, "the studio has changed: see `STUDIO`");
     }
+
+    #[test]
+    fn environment_of_the_studio_is_the_same_wherever_its_bytes_lie() {
+        // Where no texel can begin, they are decoded one by one.
+        let moved = [&[0], &STUDIO.0].concat().leak();
+        let decoded = Filtered::from_bytes(&moved[1..]);
+        assert!(matches!(decoded.levels, Cow::Owned(_)));
+        assert!(decoded == Filtered::from_bytes(&STUDIO.0));
+    }
 }
