@@ -260,6 +260,7 @@ fn emit_sample<S: Simd>(
     }
     let tiles = TileBoxes::of(&state.grid, &facts.pixels);
     if live_lanes == small_lanes {
+        // Where triangles are small, mostly: no room is made for records of the other kinds.
         while small_lanes != 0 {
             let lane = small_lanes.trailing_zeros() as usize & 15;
             small_lanes &= small_lanes - 1;

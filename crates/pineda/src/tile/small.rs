@@ -9,7 +9,7 @@ use crate::wide::{Simd, f32x16, mask32x16};
 
 /// Hands over the samples of small triangles, one after the other: those of one block mostly, of four at the most.
 ///
-/// A function of its own, because among those of other kinds there are too few registers for what stays the same from one triangle to the next (`micro`: a quarter less instructions).
+/// A function of its own, because among those of other kinds there are too few registers for what stays the same from one triangle to the next (a quarter fewer instructions for the coverage of `micro`).
 #[inline(never)]
 pub(crate) fn small<S: Simd, K: Sink<S>>(
     s: S,
