@@ -125,7 +125,7 @@ fn load_column<S: Simd, const C: usize>(
     screen: &[ScreenVertex],
     out: &mut [[u32; 16]; 3],
 ) {
-    s.vectorize(
+    s.apart(
         #[inline(always)]
         || {
             let vertex = |k: usize| (indices[k][C].wrapping_sub(first_vertex) as usize).min(screen.len() - 1);

@@ -68,7 +68,7 @@ impl<S: Simd> Facts<S> {
 /// instructions took it two minutes.
 #[inline(never)]
 pub(super) fn small_records<S: Simd>(s: S, facts: &Facts<S>, out: &mut [[u32; 8]; 16]) -> u64 {
-    s.vectorize(
+    s.apart(
         #[inline(always)]
         || {
             let coverage = small_coverage(s, facts);
@@ -91,7 +91,7 @@ pub(super) fn small_records<S: Simd>(s: S, facts: &Facts<S>, out: &mut [[u32; 8]
 
 #[inline(never)]
 pub(super) fn mid_records<S: Simd>(s: S, facts: &Facts<S>, out: &mut [[u32; 16]; 16]) {
-    s.vectorize(
+    s.apart(
         #[inline(always)]
         || {
             let [id, columns, rows, z0, dz_dx, dz_dy] = facts.head();
@@ -120,7 +120,7 @@ pub(super) fn mid_records<S: Simd>(s: S, facts: &Facts<S>, out: &mut [[u32; 16];
 
 #[inline(never)]
 pub(super) fn large_records<S: Simd>(s: S, facts: &Facts<S>, out: &mut [[u32; 16]; 16]) {
-    s.vectorize(
+    s.apart(
         #[inline(always)]
         || {
             let [id, columns, rows, z0, dz_dx, dz_dy] = facts.head();

@@ -104,7 +104,7 @@ fn careful<S: Simd>(
     share: &mut Share,
 ) {
     let Some((clipped, offset)) = clipped(state, places, screen, share) else { return };
-    s.vectorize(
+    s.apart(
         #[inline(always)]
         || emit_clipped(s, state, &clipped, offset, number, share),
     );

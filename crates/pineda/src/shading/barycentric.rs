@@ -22,6 +22,12 @@ impl<S: Simd> Corner3<S> {
     pub(crate) fn splat(s: S, [f0, d1, d2]: [f32; 3]) -> Self {
         Self { f0: f32x16::splat(s, f0), d1: f32x16::splat(s, d1), d2: f32x16::splat(s, d2) }
     }
+
+    /// The varying, from the weights of the second and third vertex.
+    #[inline(always)]
+    pub(crate) fn at(&self, b1: f32x16<S>, b2: f32x16<S>) -> f32x16<S> {
+        (self.f0 + b1 * self.d1) + b2 * self.d2
+    }
 }
 
 /// The weights of the second and third vertex, normalised, and their derivatives.
@@ -48,12 +54,6 @@ impl<S: Simd> Barycentric<S> {
         }
         this
     }
-
-    /// A varying, from its values at the vertices.
-    #[inline(always)]
-    fn at(&self, f: Corner3<S>) -> f32x16<S> {
-        (f.f0 + self.b1 * f.d1) + self.b2 * f.d2
-    }
 }
 
 /// Both kinds of barycentric coordinates.
@@ -75,10 +75,10 @@ impl<S: Simd> Both<S> {
         Self { perspective, linear }
     }
 
-    /// A varying with perspective, from its values at the vertices.
+    /// The weights of the second and third vertex with perspective.
     #[inline(always)]
-    pub(crate) fn plain(&self, f: Corner3<S>) -> f32x16<S> {
-        self.perspective.at(f)
+    pub(crate) fn perspective(&self) -> [f32x16<S>; 2] {
+        [self.perspective.b1, self.perspective.b2]
     }
 
     /// Varying `k` and its derivatives, from its values at the vertices.
@@ -102,7 +102,7 @@ impl<S: Simd> Both<S> {
             Interpolation::Perspective => &self.perspective,
             Interpolation::NoPerspective => &self.linear,
         };
-        rows.here[k] = b.at(f).into();
+        rows.here[k] = f.at(b.b1, b.b2).into();
         if FULL && layout.derivatives {
             rows.dx[k] = (b.dx[0] * f.d1 + b.dx[1] * f.d2).into();
             rows.dy[k] = (b.dy[0] * f.d1 + b.dy[1] * f.d2).into();

@@ -149,7 +149,7 @@ fn word<S: Simd>(s: S, corners: &[[[u32; 16]; 8]; 3], i: usize) -> [u32x16<S>; 3
 /// most of what they load into memory.
 #[inline(never)]
 fn load_rows<S: Simd, const HALF: bool>(s: S, rows: &[RecordRow], at: &[u32; 16], out: &mut [[u32; 16]; 8]) {
-    s.vectorize(
+    s.apart(
         #[inline(always)]
         || {
             // A minimum instead of a comparison and a branch: what is loaded first need not wait until the last index is judged.

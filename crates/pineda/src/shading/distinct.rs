@@ -25,7 +25,7 @@ pub(crate) struct Fragments<'a> {
 }
 
 /// The different triangles of a packet, and the way in which it is interpolated.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub(crate) struct Distinct {
     pub(crate) way: Way,
     /// The triangle of each lane; the first one's where none counts.
@@ -37,7 +37,7 @@ pub(crate) struct Distinct {
 }
 
 /// How the lanes get their vertices.
-#[derive(Clone, Copy, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Way {
     /// One triangle.
     One,
@@ -51,6 +51,18 @@ pub(crate) enum Way {
     ByLane,
     /// Triangles in turn, with all that a packet can ask for.
     InFull,
+}
+
+impl Way {
+    /// What does without the cache.
+    #[inline(always)]
+    pub(crate) fn general(self) -> Self {
+        match self {
+            Self::One => Self::Large,
+            Self::Two | Self::Four | Self::Eight => Self::ByLane,
+            Self::Large | Self::ByLane | Self::InFull => self,
+        }
+    }
 }
 
 impl Distinct {

@@ -20,7 +20,7 @@ pub(crate) fn few<S: Simd, const N: usize, const FULL: bool>(
     list: &[u8],
     cache: &TriangleCache,
 ) {
-    s.vectorize(
+    s.apart(
         #[inline(always)]
         || {
             let lanes = BlockLanes::new(s);

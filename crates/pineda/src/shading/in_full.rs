@@ -22,7 +22,7 @@ pub(crate) fn in_full<S: Simd>(
     distinct: &[Distinct; BATCH],
     list: &[u8],
 ) {
-    s.vectorize(
+    s.apart(
         #[inline(always)]
         || {
             let lanes = BlockLanes::new(s);
@@ -106,7 +106,7 @@ fn place<S: Simd>(
     mask: mask32x16<S>,
     rows: &mut PacketRows<'_>,
 ) {
-    s.vectorize(
+    s.apart(
         #[inline(always)]
         || {
             let both =

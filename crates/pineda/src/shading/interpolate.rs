@@ -4,7 +4,7 @@
 //! its vertices' varyings are put together first, in one of four ways, and from there on the way no longer matters:
 //!
 //! - a *few* triangles, one to eight: their edge functions and varyings are made ready once while a tile shows them, and the lanes pick theirs;
-//! - one *large* triangle: what does not fit 32 bits is computed in f64;
+//! - one *large* triangle, whose edge functions do not fit 32 bits: many packets in a row, as a rule, which have a lot in common (see [`single`](super::single));
 //! - *many*: each lane loads its own vertices; rows of eight words are turned round by shuffles;
 //! - *in full*: what is clipped, flat, or linear on the screen.
 //!
@@ -16,106 +16,156 @@ use super::cached::TriangleCache;
 use super::distinct::{Distinct, Way, Ways};
 use super::few::few;
 use super::in_full::in_full;
-use super::large::{Last, large};
 use super::packet::{BATCH, PacketBatch, VaryingLayout};
 use super::run::RunView;
+use super::single::Single;
+use crate::raster::triangle_id::TriangleId;
 use crate::wide::Simd;
 
-/// Interpolates all varyings of a batch's packets into their rows. With `SINGLE`, each packet is known to show one triangle.
-#[inline(always)]
-#[expect(clippy::too_many_arguments, reason = "inlined")]
-pub(crate) fn interpolate<S: Simd, const SINGLE: bool>(
-    s: S,
-    run: &RunView<'_>,
-    position: &dyn Fn(usize) -> [f32; 4],
-    layout: &VaryingLayout,
-    batch: &mut PacketBatch,
-    distinct: &mut [Distinct; BATCH],
-    last: &mut Last<S>,
-    cache: &mut TriangleCache,
-) {
-    // Step by step for the whole batch, and way by way: so that few branches are guessed wrong.
-    let mut k = 0;
-    while k < batch.len() {
-        let (distinct, fragments) = (&mut distinct[k & (BATCH - 1)], batch.packets()[k].fragments());
-        if SINGLE {
-            distinct.set_single(layout, &fragments);
+/// What interpolation keeps from batch to batch.
+#[derive(Debug)]
+pub(crate) struct Interpolator {
+    cache: TriangleCache,
+    single: Single,
+    distinct: [Distinct; BATCH],
+}
+
+impl Interpolator {
+    pub(crate) fn new() -> Self {
+        Self { cache: TriangleCache::new(), single: Single::NONE, distinct: [Distinct::NONE; BATCH] }
+    }
+
+    /// Other triangles come.
+    pub(crate) fn forget(&mut self) {
+        self.cache.forget();
+        self.single.forget();
+    }
+
+    /// From here on, triangles are of a run with such varyings.
+    #[inline(always)]
+    pub(crate) fn start(&mut self, run: &RunView<'_>, layout: &VaryingLayout) {
+        self.cache.start(run, layout);
+    }
+
+    /// Empties the batch for packets of one triangle only, which is not clipped.
+    #[inline(always)]
+    pub(crate) fn start_batch_of(
+        &mut self,
+        run: &RunView<'_>,
+        layout: &VaryingLayout,
+        batch: &mut PacketBatch,
+        id: TriangleId,
+    ) {
+        self.single.prepare(run, layout, id);
+        self.single.start(layout, run.front_is_clockwise, batch);
+    }
+
+    /// Interpolates the varyings of a batch that was started for one triangle.
+    #[inline(always)]
+    pub(crate) fn interpolate_one<S: Simd>(&mut self, s: S, layout: &VaryingLayout, batch: &mut PacketBatch) {
+        self.single.interpolate_all(s, layout, batch);
+    }
+
+    /// Interpolates all varyings of a batch's packets into their rows. With `SINGLE`, each packet is known to show one triangle.
+    #[inline(always)]
+    pub(crate) fn interpolate<S: Simd, const SINGLE: bool>(
+        &mut self,
+        s: S,
+        run: &RunView<'_>,
+        position: &dyn Fn(usize) -> [f32; 4],
+        layout: &VaryingLayout,
+        batch: &mut PacketBatch,
+    ) {
+        // Step by step for the whole batch, and way by way: so that few branches are guessed wrong.
+        let mut k = 0;
+        while k < batch.len() {
+            let (distinct, fragments) = (&mut self.distinct[k & (BATCH - 1)], batch.fragments(k));
+            if SINGLE {
+                distinct.set_single(layout, &fragments);
+            } else {
+                distinct.set(s, layout, &fragments);
+            }
+            if !S::HAS_SHORTCUTS {
+                distinct.way = distinct.way.general();
+            }
+            k += 1;
+        }
+        let mut k = 0;
+        while k < batch.len() {
+            self.distinct[k & (BATCH - 1)].prepare(run, &mut self.cache);
+            k += 1;
+        }
+        let mut ways = Ways::default();
+        let mut k = 0;
+        while k < batch.len() {
+            let distinct = &mut self.distinct[k & (BATCH - 1)];
+            let mut way = distinct.way_with(&self.cache);
+            if way == Way::Large && batch.is_moved(k) {
+                // What is kept of the last triangle is of pixels' centres.
+                (way, distinct.lanes) = (Way::ByLane, [distinct.ids[0]; 16]);
+            }
+            ways.add(way, k);
+            k += 1;
+        }
+        if layout.derivatives {
+            self.with_derivatives(s, run, layout, batch, &ways);
         } else {
-            distinct.set(s, layout, &fragments);
+            self.by_ways::<S, false>(s, run, layout, batch, &ways);
         }
-        k += 1;
-    }
-    let mut k = 0;
-    while k < batch.len() {
-        distinct[k & (BATCH - 1)].prepare(run, cache);
-        k += 1;
-    }
-    let mut ways = Ways::default();
-    let mut k = 0;
-    while k < batch.len() {
-        let distinct = &mut distinct[k & (BATCH - 1)];
-        let mut way = distinct.way_with(cache);
-        if way == Way::Large && batch.is_moved(k) {
-            // What is kept of the last triangle is of pixels' centres.
-            (way, distinct.lanes) = (Way::ByLane, [distinct.ids[0]; 16]);
+        if !ways.of(Way::InFull).is_empty() {
+            in_full(s, run, position, layout, batch, &self.distinct, ways.of(Way::InFull));
         }
-        ways.add(way, k);
-        k += 1;
     }
-    if layout.derivatives {
-        with_derivatives(s, run, layout, batch, distinct, &ways, last, cache);
-    } else {
-        by_ways::<S, false>(s, run, layout, batch, distinct, &ways, last, cache);
-    }
-    if !ways.of(Way::InFull).is_empty() {
-        in_full(s, run, position, layout, batch, distinct, ways.of(Way::InFull));
-    }
-}
 
-/// Packets whose varyings are all interpolated with perspective; with derivatives if `FULL`.
-#[inline(always)]
-#[expect(clippy::too_many_arguments, reason = "inlined")]
-fn by_ways<S: Simd, const FULL: bool>(
-    s: S,
-    run: &RunView<'_>,
-    layout: &VaryingLayout,
-    batch: &mut PacketBatch,
-    distinct: &[Distinct; BATCH],
-    ways: &Ways,
-    last: &mut Last<S>,
-    cache: &TriangleCache,
-) {
-    if !ways.of(Way::One).is_empty() {
-        few::<S, 1, FULL>(s, layout, batch, distinct, ways.of(Way::One), cache);
+    /// Packets whose varyings are all interpolated with perspective; with derivatives if `FULL`.
+    #[inline(always)]
+    fn by_ways<S: Simd, const FULL: bool>(
+        &mut self,
+        s: S,
+        run: &RunView<'_>,
+        layout: &VaryingLayout,
+        batch: &mut PacketBatch,
+        ways: &Ways,
+    ) {
+        let Self { cache, single, distinct } = self;
+        if S::HAS_SHORTCUTS {
+            if !ways.of(Way::One).is_empty() {
+                few::<S, 1, FULL>(s, layout, batch, distinct, ways.of(Way::One), cache);
+            }
+            if !ways.of(Way::Two).is_empty() {
+                few::<S, 2, FULL>(s, layout, batch, distinct, ways.of(Way::Two), cache);
+            }
+            if !ways.of(Way::Four).is_empty() {
+                few::<S, 4, FULL>(s, layout, batch, distinct, ways.of(Way::Four), cache);
+            }
+            if !ways.of(Way::Eight).is_empty() {
+                few::<S, 8, FULL>(s, layout, batch, distinct, ways.of(Way::Eight), cache);
+            }
+        }
+        let mut large = ways.of(Way::Large);
+        while let Some(&first) = large.first() {
+            let id = |k: u8| TriangleId(distinct[k as usize & (BATCH - 1)].ids[0]);
+            let count = large.iter().take_while(|&&k| id(k) == id(first)).count();
+            single.prepare(run, layout, id(first));
+            single.interpolate_listed::<S, FULL>(s, layout, batch, &large[..count]);
+            large = &large[count..];
+        }
+        by_lane::<S, FULL>(s, run, layout, batch, distinct, ways.of(Way::ByLane));
     }
-    if !ways.of(Way::Two).is_empty() {
-        few::<S, 2, FULL>(s, layout, batch, distinct, ways.of(Way::Two), cache);
-    }
-    if !ways.of(Way::Four).is_empty() {
-        few::<S, 4, FULL>(s, layout, batch, distinct, ways.of(Way::Four), cache);
-    }
-    if !ways.of(Way::Eight).is_empty() {
-        few::<S, 8, FULL>(s, layout, batch, distinct, ways.of(Way::Eight), cache);
-    }
-    large::<S, FULL>(s, run, layout, batch, distinct, ways.of(Way::Large), last);
-    by_lane::<S, FULL>(s, run, layout, batch, distinct, ways.of(Way::ByLane));
-}
 
-/// The same, as a function of its own: the plain one is left as small as it is.
-#[inline(never)]
-#[expect(clippy::too_many_arguments, reason = "as many as the plain one has")]
-fn with_derivatives<S: Simd>(
-    s: S,
-    run: &RunView<'_>,
-    layout: &VaryingLayout,
-    batch: &mut PacketBatch,
-    distinct: &[Distinct; BATCH],
-    ways: &Ways,
-    last: &mut Last<S>,
-    cache: &TriangleCache,
-) {
-    s.vectorize(
-        #[inline(always)]
-        || by_ways::<S, true>(s, run, layout, batch, distinct, ways, last, cache),
-    );
+    /// The same, as a function of its own: the plain one is left as small as it is.
+    #[inline(never)]
+    fn with_derivatives<S: Simd>(
+        &mut self,
+        s: S,
+        run: &RunView<'_>,
+        layout: &VaryingLayout,
+        batch: &mut PacketBatch,
+        ways: &Ways,
+    ) {
+        s.apart(
+            #[inline(always)]
+            || self.by_ways::<S, true>(s, run, layout, batch, ways),
+        );
+    }
 }

@@ -235,7 +235,6 @@ pub(crate) mod distinct;
 mod few;
 mod in_full;
 pub(crate) mod interpolate;
-mod large;
 pub(crate) mod multisample;
 mod over;
 pub(crate) mod packet;

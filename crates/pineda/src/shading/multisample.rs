@@ -5,8 +5,6 @@
 
 use super::__Row4 as Row4;
 use super::centroid::Borders;
-use super::distinct::Distinct;
-use super::large::Last;
 use super::packet::{BATCH, Moved, PacketState, VaryingLayout};
 use super::sample_packets::SamplePacket;
 use super::shade::{How, OrderedPacket, Shading, channels, contains, keep, merge_color};
@@ -57,8 +55,7 @@ impl Gathered {
             (offsets[0][lane & 15], offsets[1][lane & 15]) = (column * SUBPIXELS, row * SUBPIXELS);
             lane += 1;
         }
-        let new = shading.batch.add();
-        (new.block, new.alive, new.x, new.y, new.ids) = (0, mask, shading.view.x, shading.view.y, self.ids);
+        shading.batch.add(0, mask, shading.view.x, shading.view.y).ids = self.ids;
         shading.batch.shift(Moved::Gathered, offsets);
         let DrawState { sampling, conservative, .. } = shading.call.state();
         if *sampling == Sampling::Centroid && *conservative == Conservative::Off {
@@ -77,8 +74,7 @@ fn layout_of(shading: &Shading<'_>) -> VaryingLayout {
 #[inline(always)]
 pub(crate) fn shade_visible_samples<S: Simd>(s: S, shading: &mut Shading<'_>, packets: &[SamplePacket]) {
     let layout = layout_of(shading);
-    let (mut last, mut distinct) = (Last::none(s), [Distinct::NONE; BATCH]);
-    shading.cache.start(shading.run, &layout);
+    shading.interpolator.start(shading.run, &layout);
     // Lanes of several blocks go together where nothing is computed from the block.
     let can_gather = layout.depth && layout.is_plain && shading.run.strokes.is_none();
     let (mut gathered, mut rest, mut next) = (Gathered::default(), 0, 0);
@@ -101,8 +97,7 @@ pub(crate) fn shade_visible_samples<S: Simd>(s: S, shading: &mut Shading<'_>, pa
             }
             next += 1;
             let (x, y) = shading.view.pixel_of(packet.block as usize);
-            let new = shading.batch.add();
-            (new.block, new.alive, new.x, new.y) = (packet.block, packet.mask, x, y);
+            let new = shading.batch.add(packet.block, packet.mask, x, y);
             new.ids = packet.ids;
             new.depth = shading.tile.depth[packet.block as usize];
             let border = packet.mask & !packet.inner;
@@ -115,7 +110,7 @@ pub(crate) fn shade_visible_samples<S: Simd>(s: S, shading: &mut Shading<'_>, pa
         if shading.batch.len() == 0 {
             return;
         }
-        shading.interpolate::<S, false>(s, &layout, &mut distinct, &mut last);
+        shading.interpolate::<S, false>(s, &layout);
         finish_depths(s, shading, &layout);
         shading.run_fragments(s);
         let further = shading.further();
@@ -247,8 +242,7 @@ pub(crate) fn shade_samples_in_order<S: Simd>(s: S, shading: &mut Shading<'_>, p
     let part = |block: u32| if layout.depth { block as usize % view.plane_blocks } else { block as usize };
     // Triangles come in the order of their numbers.
     packets.sort_unstable_by_key(|packet| (packet.id >> ORDER_BITS, part(packet.block), packet.block));
-    let (mut last, mut distinct) = (Last::none(s), [Distinct::NONE; BATCH]);
-    shading.cache.start(shading.run, &layout);
+    shading.interpolator.start(shading.run, &layout);
     let call = shading.call;
     let state = call.state();
     let uses = shading.uses;
@@ -295,14 +289,13 @@ pub(crate) fn shade_samples_in_order<S: Simd>(s: S, shading: &mut Shading<'_>, p
                 shading.count_of(block, mask.count_ones(), 0);
                 let inner = covered[..view.samples.count()].iter().fold(u32::MAX, |all, own| all & own);
                 let (x, y) = view.pixel_of(block);
-                let new = shading.batch.add();
-                (new.block, new.alive, new.x, new.y) = (block as u32, mask, x, y);
+                let new = shading.batch.add(block as u32, mask, x, y);
                 (new.ids, new.depth) = ([id; 16], if layout.depth { group[0].depth } else { own_depths(s, group) });
                 move_off_centers(s, shading, &layout, &[id; 16], mask & !inner, block);
                 groups[shading.batch.len() - 1] = group;
             }
         }
-        shading.interpolate::<S, true>(s, &layout, &mut distinct, &mut last);
+        shading.interpolate::<S, true>(s, &layout);
         finish_depths(s, shading, &layout);
         shading.run_fragments(s);
         merge(s, shading, &groups, is_late);
@@ -337,11 +330,7 @@ fn merge<S: Simd>(s: S, shading: &mut Shading<'_>, groups: &[&mut [OrderedPacket
     while i < shading.batch.len() {
         let packet = &shading.batch.packets()[i];
         let id = TriangleId(packet.ids[0]);
-        let parts = shading
-            .run
-            .strokes
-            .as_ref()
-            .and_then(|strokes| strokes.covered_parts(s, id.number() - shading.run.first_number, packet));
+        let parts = shading.covered_parts(s, i);
         let more = shading.batch.more(i);
         // Only a target with one colour buffer is blended with a second source.
         let second = if more.is_empty() { &packet.color } else { &more[0] };

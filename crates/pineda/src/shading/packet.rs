@@ -81,27 +81,20 @@ pub(crate) struct PacketState {
     pub(crate) depth: [i32; 16],
     pub(crate) ids: [u32; 16],
     pub(crate) block: u32,
-    /// The block's first pixel.
-    pub(crate) x: i32,
-    pub(crate) y: i32,
     /// The lanes whose colour counts; the fragment stage takes away those that it discards.
     pub(crate) alive: u32,
-}
-
-impl PacketState {
-    /// What is to be shaded.
-    #[inline(always)]
-    pub(crate) fn fragments(&self) -> Fragments<'_> {
-        let (ids, mask) = (&self.ids, self.alive);
-        Fragments { ids, mask, x: self.x, y: self.y, moved: None, border: 0, samples: Samples::One }
-    }
 }
 
 /// Up to [`BATCH`] packets of one run.
 #[derive(Debug)]
 pub(crate) struct PacketBatch {
     packets: [PacketState; BATCH],
+    /// The first pixel of each one's block.
+    x: [i32; BATCH],
+    y: [i32; BATCH],
     count: usize,
+    /// The triangle that all packets are of, those that are yet to be added too, and whose constant varyings their rows hold. 0 is none.
+    shared_by: u32,
     /// From `aligned` on, so that no row lies in two cache lines.
     rows: Vec<f32>,
     aligned: usize,
@@ -133,7 +126,10 @@ impl PacketBatch {
     pub(crate) fn new() -> Self {
         Self {
             packets: [PacketState::default(); BATCH],
+            x: [0; BATCH],
+            y: [0; BATCH],
             count: 0,
+            shared_by: 0,
             rows: Vec::new(),
             aligned: 0,
             rows_each: 0,
@@ -156,7 +152,7 @@ impl PacketBatch {
 
     /// Empties the batch for packets of this layout.
     pub(crate) fn start(&mut self, layout: &VaryingLayout, front_is_clockwise: bool) {
-        self.count = 0;
+        (self.count, self.shared_by) = (0, 0);
         (self.moved, self.borders) = ([Moved::No; BATCH], [0; BATCH]);
         self.rows_each = layout.rows();
         self.derivatives = layout.derivatives;
@@ -176,12 +172,30 @@ impl PacketBatch {
         &self.packets[..self.count]
     }
 
-    /// Adds a packet, with whatever an earlier one left in it. There must be room.
+    /// Adds a packet of some of the pixels of the block from (x, y) on, with whatever else an earlier one left in it. There must be room.
     #[inline(always)]
-    pub(crate) fn add(&mut self) -> &mut PacketState {
-        let packet = &mut self.packets[self.count];
+    pub(crate) fn add(&mut self, block: u32, alive: u32, x: i32, y: i32) -> &mut PacketState {
+        let k = self.count;
+        let packet = &mut self.packets[k];
+        (packet.block, packet.alive, self.x[k & (BATCH - 1)], self.y[k & (BATCH - 1)]) = (block, alive, x, y);
         self.count += 1;
         packet
+    }
+
+    /// The first pixels of all packets' blocks; behind the last packet, of any.
+    #[inline(always)]
+    pub(crate) fn places(&self) -> (&[i32; BATCH], &[i32; BATCH]) {
+        (&self.x, &self.y)
+    }
+
+    /// What is to be shaded of packet `k`.
+    #[inline(always)]
+    pub(crate) fn fragments(&self, k: usize) -> Fragments<'_> {
+        let PacketState { ids, alive, .. } = &self.packets[k];
+        let k = k & (BATCH - 1);
+        let moved = if self.moved[k] == Moved::No { None } else { Some(&self.offsets[k]) };
+        let (x, y, border, samples) = (self.x[k], self.y[k], self.borders[k], self.samples);
+        Fragments { ids, mask: *alive, x, y, moved, border, samples }
     }
 
     /// Moves the lanes of the last packet off their pixels' centres.
@@ -210,7 +224,7 @@ impl PacketBatch {
                 let lane = rest.trailing_zeros() as usize & 15;
                 rest &= rest - 1;
                 let [dx, dy] = if self.moved[k] == Moved::No { [0; 2] } else { self.offsets[k].map(|row| row[lane]) };
-                let (x, y) = (packet.x + (lane & 3) as i32, packet.y + (lane >> 2) as i32);
+                let (x, y) = (self.x[k] + (lane & 3) as i32, self.y[k] + (lane >> 2) as i32);
                 let center = |v: i32| v * SUBPIXELS + HALF_PIXEL;
                 self.z[k][lane] = depth(packet.ids[lane], [center(x) + dx, center(y) + dy]);
             }
@@ -231,7 +245,7 @@ impl PacketBatch {
     /// Makes of the depths that the fragment stage left what is tested and stored.
     #[inline(never)]
     pub(crate) fn finish_written_depths<S: Simd>(&mut self, s: S, test: &AnyTest) {
-        s.vectorize(
+        s.apart(
             #[inline(always)]
             || {
                 let mut k = 0;
@@ -287,7 +301,7 @@ impl PacketBatch {
                 // Other lanes than gathered ones are of the pixels where they stand, wherever they are shaded.
                 let [dx, dy] =
                     if self.moved[k] == Moved::Gathered { self.offsets[k].map(|row| row[lane]) } else { [0; 2] };
-                let (x, y) = (packet.x + (lane & 3) as i32, packet.y + (lane >> 2) as i32);
+                let (x, y) = (self.x[k] + (lane & 3) as i32, self.y[k] + (lane >> 2) as i32);
                 let center = [x * SUBPIXELS + HALF_PIXEL + dx, y * SUBPIXELS + HALF_PIXEL + dy];
                 let (mut mask, mut asked) = (0, samples.mask);
                 while let Some(Sample { plane, offset }) = samples.take(&mut asked) {
@@ -304,15 +318,28 @@ impl PacketBatch {
         !(u32x16::simd_from(s, self.sample_masks[k & (BATCH - 1)]) & (1 << (sample & 15))).simd_eq(0)
     }
 
-    /// Gives every packet, those that are yet to be added too, the same ids, until another is given.
-    pub(crate) fn set_all_ids(&mut self, id: u32) {
+    /// Whether the batch was last started for packets of one triangle only, and for this one.
+    #[inline(always)]
+    pub(crate) fn is_shared_by(&self, id: u32) -> bool {
+        self.shared_by == id
+    }
+
+    /// Empties the batch for more packets of the triangle that shares it.
+    #[inline(always)]
+    pub(crate) fn start_again(&mut self) {
+        self.count = 0;
+    }
+
+    /// Gives every packet, those that are yet to be added too, the id of a triangle.
+    pub(crate) fn share(&mut self, id: u32) {
+        self.shared_by = id;
         for packet in &mut self.packets {
             packet.ids = [id; 16];
         }
     }
 
     /// The same for a row.
-    pub(crate) fn set_all_rows(&mut self, k: usize, row: [f32; 16]) {
+    pub(crate) fn share_row(&mut self, k: usize, row: [f32; 16]) {
         for packet in 0..BATCH {
             self.packet(packet).1.here[k] = row;
         }
@@ -321,24 +348,30 @@ impl PacketBatch {
     /// The fragments of packet `k`, and its rows.
     #[inline(always)]
     pub(crate) fn packet(&mut self, k: usize) -> (Fragments<'_>, PacketRows<'_>) {
-        let derivatives = self.derivatives;
         let first = self.aligned + 16 * k * self.rows_each;
         let rows = self.rows[first..first + 16 * self.rows_each].as_chunks_mut().0;
-        let each = if derivatives { rows.len() / 3 } else { rows.len() };
+        let each = if self.derivatives { rows.len() / 3 } else { rows.len() };
         let (here, rest) = rows.split_at_mut(each);
-        let (dx, dy) = rest.split_at_mut(if derivatives { each } else { 0 });
+        let (dx, dy) = rest.split_at_mut(if self.derivatives { each } else { 0 });
+        let PacketState { ids, alive, .. } = &self.packets[k];
         let moved = if self.moved[k & (BATCH - 1)] == Moved::No { None } else { Some(&self.offsets[k & (BATCH - 1)]) };
+        let (x, y) = (self.x[k & (BATCH - 1)], self.y[k & (BATCH - 1)]);
         let (border, samples) = (self.borders[k & (BATCH - 1)], self.samples);
-        let fragments = Fragments { moved, border, samples, ..self.packets[k].fragments() };
+        let fragments = Fragments { ids, mask: *alive, x, y, moved, border, samples };
         let (z, barycentrics) = (&mut self.z[k & (BATCH - 1)], &mut self.barycentrics[k & (BATCH - 1)]);
         (fragments, PacketRows { here, dx, dy, z, barycentrics })
     }
 
-    /// The rows of packet `k` that hold varyings, where no derivatives are asked for.
+    /// The rows of all packets, so many each.
     #[inline(always)]
-    pub(crate) fn plain_rows(&mut self, k: usize) -> &mut [[f32; 16]] {
-        let first = self.aligned + 16 * k * self.rows_each;
-        self.rows[first..first + 16 * self.rows_each].as_chunks_mut().0
+    pub(crate) fn all_rows(&mut self) -> (&mut [[f32; 16]], usize) {
+        (self.rows[self.aligned..].as_chunks_mut().0, self.rows_each)
+    }
+
+    /// The row of packet `k` for interpolated depths.
+    #[inline(always)]
+    pub(crate) fn depth_row(&mut self, k: usize) -> &mut [f32; 16] {
+        &mut self.z[k & (BATCH - 1)]
     }
 
     /// What the fragments of packet `k` have beside a colour.
@@ -376,7 +409,7 @@ impl PacketBatch {
         let mut k = 0;
         while k < self.count {
             // A function of its own: in one with the loop around it, LLVM's time grows with the square of the stage's length.
-            s.vectorize(
+            s.apart(
                 #[inline(always)]
                 || self.run_packet(s, stage, k),
             );
@@ -435,8 +468,8 @@ impl PacketBatch {
         let ids = u32x16::simd_from(s, packet.ids);
         let code: i32x16<S> = (ids & ((1 << ORDER_BITS) - 1)).bitcast();
         let clockwise = code.simd_lt(3) | code.simd_eq(CLIPPED_CLOCKWISE as i32);
-        parts.x = Real(lanes.x + (packet.x as f32 + 0.5));
-        parts.y = Real(lanes.y + (packet.y as f32 + 0.5));
+        parts.x = Real(lanes.x + (self.x[k & (BATCH - 1)] as f32 + 0.5));
+        parts.y = Real(lanes.y + (self.y[k & (BATCH - 1)] as f32 + 0.5));
         if matches!(self.moved[k & (BATCH - 1)], Moved::ToSample | Moved::Gathered) {
             let [x, y] = self.offsets[k & (BATCH - 1)];
             let (x, y) = (i32x16::simd_from(s, x).to_float(), i32x16::simd_from(s, y).to_float());

@@ -1,14 +1,11 @@
 //! From covered or visible samples to colours in the tile: interpolation, the user's fragment stage, blending.
 
 use super::blend::blend;
-use super::cached::TriangleCache;
-use super::distinct::Distinct;
-use super::interpolate::interpolate;
-use super::large::Last;
+use super::interpolate::Interpolator;
 use super::over::{is_over, merge_over};
 use super::packet::{BATCH, PacketBatch, VaryingLayout};
 use super::run::RunView;
-use super::single::{Single, begins_with_many, fill};
+use super::single::LEAST_PACKETS;
 use super::stencil::Tests;
 use super::visible_packets::VisiblePacket;
 use super::{__Row4 as Row4, OutputKind, StageUses};
@@ -44,8 +41,7 @@ pub(crate) struct Shading<'a> {
     /// Those of the further colour buffers.
     pub(crate) more_colors: &'a mut [TileColor],
     pub(crate) batch: &'a mut PacketBatch,
-    pub(crate) cache: &'a mut TriangleCache,
-    pub(crate) single: &'a mut Single,
+    pub(crate) interpolator: &'a mut Interpolator,
     pub(crate) uses: StageUses,
     /// What becomes of depths that are not the triangles' own.
     pub(crate) depth: AnyTest,
@@ -62,19 +58,25 @@ impl Shading<'_> {
 
     /// Interpolates the varyings of the batch's packets; with `SINGLE`, each packet is known to show one triangle.
     #[inline(never)]
-    pub(super) fn interpolate<S: Simd, const SINGLE: bool>(
-        &mut self,
-        s: S,
-        layout: &VaryingLayout,
-        distinct: &mut [Distinct; BATCH],
-        last: &mut Last<S>,
-    ) {
+    pub(super) fn interpolate<S: Simd, const SINGLE: bool>(&mut self, s: S, layout: &VaryingLayout) {
         let call = self.call;
         let position = |vertex: usize| call.position(vertex);
-        s.vectorize(
+        s.apart(
             #[inline(always)]
-            || interpolate::<S, SINGLE>(s, self.run, &position, layout, self.batch, distinct, last, self.cache),
+            || self.interpolator.interpolate::<S, SINGLE>(s, self.run, &position, layout, self.batch),
         );
+    }
+
+    /// Whether packets of one triangle in a row are shaded in batches of their own.
+    #[inline(always)]
+    fn takes_singles<S: Simd>(&self, layout: &VaryingLayout) -> bool {
+        S::HAS_SHORTCUTS && layout.is_plain && self.run.strokes.is_none()
+    }
+
+    /// Whether packets begin with enough of one triangle: by the first one's, which is 0 if it shows several, and that of the last which it takes.
+    #[inline(always)]
+    fn begins_with_one(&self, id: u32, last: Option<u32>) -> bool {
+        id != 0 && (self.batch.is_shared_by(id) || (last == Some(id) && !TriangleId(id).is_clipped()))
     }
 
     /// Runs the fragment stage over the batch.
@@ -92,6 +94,14 @@ impl Shading<'_> {
         if uses.writes_depth {
             self.batch.finish_written_depths(s, &self.depth);
         }
+    }
+
+    /// The parts of packet `i`'s pixels that a smooth line covers; `None` of anything else.
+    #[inline(always)]
+    pub(super) fn covered_parts<S: Simd>(&self, s: S, i: usize) -> Option<f32x16<S>> {
+        let strokes = self.run.strokes.as_ref()?;
+        let fragments = self.batch.fragments(i);
+        strokes.covered_parts(s, TriangleId(fragments.ids[0]).number() - self.run.first_number, &fragments)
     }
 
     /// Says which samples the batch's fragments are of, and cover.
@@ -126,48 +136,71 @@ impl Shading<'_> {
 #[inline(always)]
 pub(crate) fn shade_visible<S: Simd>(s: S, shading: &mut Shading<'_>, packets: &[VisiblePacket]) {
     let layout = shading.call.layout();
-    let (mut last, mut distinct) = (Last::none(s), [Distinct::NONE; BATCH]);
-    shading.cache.start(shading.run, &layout);
-    let further = shading.further();
+    shading.interpolator.start(shading.run, &layout);
+    let takes_singles = shading.takes_singles::<S>(&layout);
     let mut first = 0;
     while first < packets.len() {
-        let end = (first + BATCH).min(packets.len());
-        shading.batch.start(&layout, shading.run.front_is_clockwise);
-        let mut i = first;
-        while i < end {
-            let VisiblePacket { block, mask, x, y, .. } = packets[i];
-            let packet = shading.batch.add();
-            (packet.block, packet.alive, packet.x, packet.y) = (block, mask, x, y);
-            packet.ids = shading.tile.id[block as usize];
-            packet.depth = shading.tile.depth[block as usize];
-            i += 1;
-        }
-        shading.interpolate::<S, false>(s, &layout, &mut distinct, &mut last);
-        shading.run_fragments(s);
-        let mut i = 0;
-        while i < shading.batch.len() {
-            let packet = &shading.batch.packets()[i];
-            let alive = mask32x16::from_bitmask(s, u64::from(packet.alive));
-            let block = packet.block as usize;
-            shading.color.store(s, block, alive, channels(s, &packet.color), ColorMask::ALL);
-            let mut k = 0;
-            while k < further {
-                let color = channels(s, &shading.batch.more(i)[k]);
-                shading.more_colors[k].store(s, block, alive, color, ColorMask::ALL);
-                k += 1;
+        let last = packets.get(first + LEAST_PACKETS - 1).map(|packet| packet.id);
+        if takes_singles && shading.begins_with_one(packets[first].id, last) {
+            first += take_visible_of_one(shading, &layout, &packets[first..]);
+            shading.interpolator.interpolate_one(s, &layout, shading.batch);
+        } else {
+            shading.batch.start(&layout, shading.run.front_is_clockwise);
+            let end = (first + BATCH).min(packets.len());
+            while first < end {
+                let VisiblePacket { block, mask, x, y, .. } = packets[first];
+                let packet = shading.batch.add(block, mask, x, y);
+                packet.ids = shading.tile.id[block as usize];
+                packet.depth = shading.tile.depth[block as usize];
+                first += 1;
             }
-            i += 1;
+            shading.interpolate::<S, false>(s, &layout);
         }
-        first = end;
+        shading.run_fragments(s);
+        store(s, shading);
     }
+}
+
+/// Brings the colours of a batch of visible packets into the tile.
+#[inline(always)]
+fn store<S: Simd>(s: S, shading: &mut Shading<'_>) {
+    let further = shading.further();
+    let mut i = 0;
+    while i < shading.batch.len() {
+        let packet = &shading.batch.packets()[i];
+        let alive = mask32x16::from_bitmask(s, u64::from(packet.alive));
+        let block = packet.block as usize;
+        shading.color.store(s, block, alive, channels(s, &packet.color), ColorMask::ALL);
+        let mut k = 0;
+        while k < further {
+            let color = channels(s, &shading.batch.more(i)[k]);
+            shading.more_colors[k].store(s, block, alive, color, ColorMask::ALL);
+            k += 1;
+        }
+        i += 1;
+    }
+}
+
+/// Fills the batch with the first packets, as far as they are of one triangle, at most sixteen. Returns how many they are.
+#[inline(always)]
+fn take_visible_of_one(shading: &mut Shading<'_>, layout: &VaryingLayout, packets: &[VisiblePacket]) -> usize {
+    let id = packets[0].id;
+    shading.interpolator.start_batch_of(shading.run, layout, shading.batch, TriangleId(id));
+    let mut count = 0;
+    while count < packets.len().min(BATCH) && packets[count].id == id {
+        let VisiblePacket { block, mask, x, y, .. } = packets[count];
+        let packet = shading.batch.add(block, mask, x, y);
+        packet.depth = shading.tile.depth[block as usize];
+        count += 1;
+    }
+    count
 }
 
 /// Shades covered samples in submission order, with depth test and blending.
 #[inline(always)]
 pub(crate) fn shade_in_order<S: Simd>(s: S, shading: &mut Shading<'_>, packets: &[OrderedPacket]) {
     let layout = shading.call.layout();
-    let (mut last, mut distinct) = (Last::none(s), [Distinct::NONE; BATCH]);
-    shading.cache.start(shading.run, &layout);
+    shading.interpolator.start(shading.run, &layout);
     let call = shading.call;
     let (state, uses) = (call.state(), shading.uses);
     let is_late = uses.decides();
@@ -175,22 +208,23 @@ pub(crate) fn shade_in_order<S: Simd>(s: S, shading: &mut Shading<'_>, packets: 
     let has_color = shading.color.format != ColorFormat::None || !shading.more_colors.is_empty();
     let is_shaded = is_late || (has_color && !state.writes_no_color(call.outputs().kinds.len()));
     let is_usual = is_shaded && !is_late && state.stencil.is_none() && shading.counted.is_none();
-    let takes_singles = is_usual && layout.is_plain && !layout.derivatives && shading.run.strokes.is_none();
-    let is_over = is_usual
+    let takes_singles = is_usual && shading.takes_singles::<S>(&layout);
+    let is_over = S::HAS_SHORTCUTS
+        && is_usual
         && shading.run.strokes.is_none()
         && shading.further() == 0
         && is_over(&state.color(0), shading.color.format);
     let mut first = 0;
     while first < packets.len() {
-        shading.batch.start(&layout, shading.run.front_is_clockwise);
-        let rest = &packets[first..];
-        if takes_singles && (shading.single.is_of(&rest[0]) || begins_with_many(rest)) {
-            first += fill(s, shading, &layout, rest);
+        let last = packets.get(first + LEAST_PACKETS - 1).map(|packet| packet.id);
+        if takes_singles && shading.begins_with_one(packets[first].id, last) {
+            first += take_ordered_of_one(s, shading, &layout, &packets[first..]);
+            shading.interpolator.interpolate_one(s, &layout, shading.batch);
             shading.run_fragments(s);
             merge(s, shading, is_over);
             continue;
         }
-        shading.single.forget();
+        shading.batch.start(&layout, shading.run.front_is_clockwise);
         // A bit for the blocks of the batch, by their numbers' last six bits.
         let mut blocks = 0u64;
         let mut next = first;
@@ -220,17 +254,50 @@ pub(crate) fn shade_in_order<S: Simd>(s: S, shading: &mut Shading<'_>, packets: 
             }
             if mask != 0 {
                 let (x, y) = shading.view.pixel_of(packet.block as usize);
-                let new = shading.batch.add();
-                (new.block, new.alive, new.x, new.y) = (packet.block, mask, x, y);
+                let new = shading.batch.add(packet.block, mask, x, y);
                 (new.ids, new.depth) = ([packet.id; 16], packet.depth);
             }
             next += 1;
         }
-        shading.interpolate::<S, true>(s, &layout, &mut distinct, &mut last);
+        shading.interpolate::<S, true>(s, &layout);
         shading.run_fragments(s);
         merge(s, shading, is_over);
         first = next;
     }
+}
+
+/// Fills the batch with what passes the depth test of the first packets, as far as they are of one triangle, at most sixteen. Returns how many they are.
+#[inline(always)]
+fn take_ordered_of_one<S: Simd>(
+    s: S,
+    shading: &mut Shading<'_>,
+    layout: &VaryingLayout,
+    packets: &[OrderedPacket],
+) -> usize {
+    let id = packets[0].id;
+    shading.interpolator.start_batch_of(shading.run, layout, shading.batch, TriangleId(id));
+    let mut blocks = [packets[0].block; BATCH];
+    let mut count = 1;
+    while count < packets.len().min(BATCH) && packets[count].id == id {
+        blocks[count & (BATCH - 1)] = packets[count].block;
+        count += 1;
+    }
+    let (x, y) = shading.view.pixels_of(u32x16::simd_from(s, blocks));
+    let (x, y): ([i32; BATCH], [i32; BATCH]) = (x.into(), y.into());
+    let compare = shading.call.state().depth.compare;
+    let mut i = 0;
+    while i < count {
+        let packet = &packets[i];
+        let depth = i32x16::simd_from(s, packet.depth);
+        let there = i32x16::simd_from(s, shading.tile.depth[packet.block as usize]);
+        let mask = compare.passing_lanes(s, depth, there) & packet.mask;
+        if mask != 0 {
+            let (x, y) = (x[i & (BATCH - 1)], y[i & (BATCH - 1)]);
+            shading.batch.add(packet.block, mask, x, y).depth = depth.into();
+        }
+        i += 1;
+    }
+    count
 }
 
 #[inline(always)]
@@ -247,9 +314,9 @@ pub(super) fn contains(batch: &PacketBatch, block: u32) -> bool {
 /// Brings the colours of a batch of ordered packets into the tile. `is_over` says that [`merge_over`] does all that is to be done.
 #[inline(never)]
 fn merge<S: Simd>(s: S, shading: &mut Shading<'_>, is_over: bool) {
-    s.vectorize(
+    s.apart(
         #[inline(always)]
-        || if is_over { merge_over(s, shading) } else { merge_any(s, shading) },
+        || if S::HAS_SHORTCUTS && is_over { merge_over(s, shading) } else { merge_any(s, shading) },
     );
 }
 
@@ -278,9 +345,7 @@ fn merge_any<S: Simd>(s: S, shading: &mut Shading<'_>) {
         }
         keep(s, shading.tile, state.depth.write, block, alive, &packet.depth, &packet.ids);
         let passed = alive.to_bitmask() as u32;
-        let parts = shading.run.strokes.as_ref().and_then(|strokes| {
-            strokes.covered_parts(s, TriangleId(packet.ids[0]).number() - shading.run.first_number, packet)
-        });
+        let parts = shading.covered_parts(s, i);
         let more = shading.batch.more(i);
         // Only a target with one colour buffer is blended with a second source.
         let second = if more.is_empty() { &packet.color } else { &more[0] };

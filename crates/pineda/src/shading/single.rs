@@ -1,6 +1,6 @@
-//! Ordered packets of one triangle in a row, sixteen at a time.
+//! Packets of one triangle, sixteen at a time.
 //!
-//! A layer over the whole picture hands over hundreds of packets one after the other. What they have in common is found once a triangle (vertices, how the varyings differ) or
+//! A layer over the whole picture is hundreds of packets one after the other. What they have in common is found once a triangle (vertices, how the varyings differ) or
 //! once a batch (edge functions at the blocks' first samples, sixteen blocks in the lanes), so that little is left to be done for each.
 //!
 //! Weights are edge functions rounded to f32 once, as everywhere (see [`weights`](super::weights)), and those of large triangles do not fit 32 bits. But mostly f64 can be avoided. At a
@@ -17,231 +17,251 @@ use super::MAX_VARYINGS;
 use super::barycentric::{Both, Corner3};
 use super::packet::{BATCH, PacketBatch, VaryingLayout};
 use super::run::{RunView, record_rows};
-use super::shade::{OrderedPacket, Shading};
 use super::weights::Weights;
 use crate::geometry::raster_space::{HALF_PIXEL, SUBPIXELS};
-use crate::pass::Compare;
 use crate::raster::triangle_id::TriangleId;
-use crate::tile::Tile;
-use crate::tile::view::{BlockLanes, TileView};
-use crate::wide::{Simd, f32x16, f64x8, i32x16, u32x16};
+use crate::tile::view::BlockLanes;
+use crate::wide::{Simd, f32x16, f64x8, i32x16};
 
-/// Fewer packets of one triangle do not pay for getting it ready.
-const LEAST_PACKETS: usize = 8;
+/// Fewer packets of one triangle in a row do not pay for a batch that is theirs.
+pub(crate) const LEAST_PACKETS: usize = 8;
 
-/// Whether a stretch of packets begins with enough of one triangle that is not clipped.
-#[inline(always)]
-pub(crate) fn begins_with_many(packets: &[OrderedPacket]) -> bool {
-    let Some(last) = packets.get(LEAST_PACKETS - 1) else { return false };
-    packets[0].id == last.id && !TriangleId(last.id).is_clipped()
-}
-
-/// A triangle made ready.
+/// A triangle made ready, which is not clipped.
 #[derive(Debug)]
 pub(crate) struct Single {
-    /// 0 is none.
-    id: u32,
+    id: TriangleId,
     inv_w: [f32; 3],
-    /// What the edge functions are at the tile's first sample, and gain a sample right and down, over 256.
+    /// What the edge functions are at the middle of pixel (0, 0), and gain a sample right and down, over 256.
     first: [i64; 3],
     step_x: [i32; 3],
     step_y: [i32; 3],
     /// Each varying at the first vertex, and by how much the others exceed it.
     corners: [[f32; 3]; MAX_VARYINGS],
-    /// The varyings that are not the same all over the triangle.
-    varying: [u8; MAX_VARYINGS],
-    varying_count: usize,
+    depths: [f32; 3],
+    /// All varyings, of which those that are the same all over the triangle come last.
+    varyings: [u8; MAX_VARYINGS],
+    /// How many there are, and how many of them vary.
+    count: usize,
+    varying: usize,
+    /// Each packet's weights of the second and third vertex, between two steps of interpolation.
+    weights: [[[f32; 16]; 2]; BATCH],
 }
 
 impl Single {
     pub(crate) const NONE: Self = Self {
-        id: 0,
+        id: TriangleId(0),
         inv_w: [0.0; 3],
         first: [0; 3],
         step_x: [0; 3],
         step_y: [0; 3],
         corners: [[0.0; 3]; MAX_VARYINGS],
-        varying: [0; MAX_VARYINGS],
-        varying_count: 0,
+        depths: [0.0; 3],
+        varyings: [0; MAX_VARYINGS],
+        count: 0,
+        varying: 0,
+        weights: [[[0.0; 16]; 2]; BATCH],
     };
 
-    /// To be called when others write to the batch: it no longer holds what is the same for all of the triangle's packets.
-    #[inline(always)]
+    /// Another batch of triangles comes.
     pub(crate) fn forget(&mut self) {
-        self.id = 0;
+        self.id = TriangleId(0);
     }
 
-    /// Whether it is the triangle of a packet.
+    /// Makes a triangle ready, unless it is.
     #[inline(always)]
-    pub(crate) fn is_of(&self, packet: &OrderedPacket) -> bool {
-        self.id == packet.id
+    pub(crate) fn prepare(&mut self, run: &RunView<'_>, layout: &VaryingLayout, id: TriangleId) {
+        if self.id != id {
+            self.set(run, layout, id);
+        }
     }
 
-    /// What edge function `k` gains a sample right, and a sample down.
-    #[inline(always)]
-    fn steps(&self, k: usize) -> [f64; 2] {
-        [f64::from(self.step_x[k]) * f64::from(SUBPIXELS), f64::from(self.step_y[k]) * f64::from(SUBPIXELS)]
-    }
-
-    /// Edge function `k` at a sample of the tile.
-    #[inline(always)]
-    fn first_at(&self, k: usize, x: i32, y: i32) -> f64 {
-        let gain = i64::from(x) * i64::from(self.step_x[k]) + i64::from(y) * i64::from(self.step_y[k]);
-        (self.first[k] + gain * i64::from(SUBPIXELS)) as f64
-    }
-
-    /// Makes another triangle ready, and writes to the batch what all of its packets share.
     #[inline(never)]
-    fn set(&mut self, run: &RunView<'_>, view: &TileView, layout: &VaryingLayout, batch: &mut PacketBatch, id: u32) {
-        let varyings = layout.interpolation.len().min(MAX_VARYINGS);
-        let each = record_rows(varyings);
-        let [a, b, c] = run.canonical_places(TriangleId(id));
-        let places = [a, b, c, run.places(TriangleId(id))[0]];
+    fn set(&mut self, run: &RunView<'_>, layout: &VaryingLayout, id: TriangleId) {
+        let each = record_rows(layout.interpolation.len());
+        let [a, b, c] = run.canonical_places(id);
+        let places = [a, b, c, run.places(id)[0]];
         let (mut x, mut y) = ([0; 3], [0; 3]);
         for (k, &place) in places[..3].iter().enumerate() {
             let record = &run.records[place * each];
             (x[k], y[k]) = (record[0] as i32, record[1] as i32);
             self.inv_w[k] = f32::from_bits(record[2]);
         }
-        let from = |v: i32, first: i32| i64::from(v) - i64::from(first * SUBPIXELS + HALF_PIXEL);
+        let from = |v: i32| i64::from(v) - i64::from(HALF_PIXEL);
         for k in 0..3 {
             let (a, b) = ((k + 1) % 3, (k + 2) % 3);
             (self.step_x[k], self.step_y[k]) = (y[a] - y[b], x[b] - x[a]);
-            let (ax, ay, bx, by) = (from(x[a], view.x), from(y[a], view.y), from(x[b], view.x), from(y[b], view.y));
-            self.first[k] = ax * by - bx * ay;
+            self.first[k] = from(x[a]) * from(y[b]) - from(x[b]) * from(y[a]);
         }
-        self.id = id;
-        batch.set_all_ids(id);
+        (self.id, self.count, self.varying) = (id, layout.interpolation.len().min(MAX_VARYINGS), 0);
         // With 1 / w far from what f32 ends at, barycentric coordinates are finite: times 0 they are 0.
         let is_tame = self.inv_w.iter().all(|w| (1e-18..1e18).contains(w));
-        self.varying_count = 0;
-        for k in 0..varyings {
+        let mut last = self.count;
+        for k in 0..self.count {
             let corner @ [f0, d1, d2] = run.vertex_values(each, &places, k, false);
             self.corners[k] = corner;
             // -0 plus 0 is not -0.
             if is_tame && d1 == 0.0 && d2 == 0.0 && f0.to_bits() != (-0.0f32).to_bits() {
-                batch.set_all_rows(k, [f0; 16]);
+                last -= 1;
+                self.varyings[last] = k as u8;
             } else {
-                self.varying[self.varying_count] = k as u8;
-                self.varying_count += 1;
+                self.varyings[self.varying] = k as u8;
+                self.varying += 1;
             }
         }
+        if layout.depth {
+            self.depths = run.vertex_depths([a, b, c]);
+        }
     }
-}
 
-/// Fills the batch, which is empty, with those of the first packet's triangle's packets that pass the depth test. Returns how many packets it took, at most sixteen.
-#[inline(always)]
-pub(crate) fn fill<S: Simd>(
-    s: S,
-    shading: &mut Shading<'_>,
-    layout: &VaryingLayout,
-    packets: &[OrderedPacket],
-) -> usize {
-    let id = packets[0].id;
-    if shading.single.id != id {
-        shading.single.set(shading.run, shading.view, layout, shading.batch, id);
-    }
-    let single = &*shading.single;
-    let mut blocks = [packets[0].block; BATCH];
-    let mut count = 1;
-    while count < packets.len().min(BATCH) && packets[count].id == id {
-        blocks[count & (BATCH - 1)] = packets[count].block;
-        count += 1;
-    }
-    let packets = &packets[..count];
-    let (x, y) = places(shading.view, u32x16::simd_from(s, blocks));
-    let firsts = Firsts::new(s, single, x, y);
-    let (x, y): ([i32; BATCH], [i32; BATCH]) = ((x + shading.view.x).into(), (y + shading.view.y).into());
-    let compare = shading.call.state().depth.compare;
-    let lanes = BlockLanes::new(s);
-    let [w0, w1, w2] = single.inv_w;
-    let inv_w = [f32x16::splat(s, w0), f32x16::splat(s, w1), f32x16::splat(s, w2)];
-    match firsts.way {
-        Way::Sum => {
-            let mut gain = [lanes.x; 3];
-            let mut k = 0;
-            while k < 3 {
-                gain[k] = lanes.x * (single.step_x[k] as f32 * 256.0) + lanes.y * (single.step_y[k] as f32 * 256.0);
-                k += 1;
-            }
-            let (base, rest) = (&firsts.base, &firsts.rest);
-            let mut j = 0;
-            while j < count {
-                let i = j & (BATCH - 1);
-                if let Some(new) = admit(s, shading.tile, shading.batch, compare, &packets[j], x[i], y[i]) {
-                    let e0 = (gain[0] + rest[0][i]) + base[0][i];
-                    let e1 = (gain[1] + rest[1][i]) + base[1][i];
-                    let e2 = (gain[2] + rest[2][i]) + base[2][i];
-                    set_rows(s, layout, shading.batch, single, new, [e0, e1, e2], inv_w);
-                }
-                j += 1;
-            }
+    /// Empties the batch for packets of this triangle only, and writes to it what they all share.
+    #[inline(always)]
+    pub(crate) fn start(&self, layout: &VaryingLayout, front_is_clockwise: bool, batch: &mut PacketBatch) {
+        if batch.is_shared_by(self.id.0) {
+            batch.start_again();
+        } else {
+            self.start_first(layout, front_is_clockwise, batch);
         }
-        Way::Short => {
-            // All values fit 32 bits; on the way there, what does not wraps around and back.
-            let (mut gain, mut first) = ([lanes.column; 3], [[0; BATCH]; 3]);
-            let mut k = 0;
-            while k < 3 {
-                let (right, down) = (single.step_x[k].wrapping_mul(256), single.step_y[k].wrapping_mul(256));
-                gain[k] = lanes.column * right + lanes.row * down;
-                first[k] = (firsts.x * right + firsts.y * down + single.first[k] as i32).into();
-                k += 1;
-            }
-            let mut j = 0;
-            while j < count {
-                let i = j & (BATCH - 1);
-                if let Some(new) = admit(s, shading.tile, shading.batch, compare, &packets[j], x[i], y[i]) {
-                    let e0 = (gain[0] + first[0][i]).to_float();
-                    let e1 = (gain[1] + first[1][i]).to_float();
-                    let e2 = (gain[2] + first[2][i]).to_float();
-                    set_rows(s, layout, shading.batch, single, new, [e0, e1, e2], inv_w);
-                }
-                j += 1;
-            }
+    }
+
+    #[inline(never)]
+    fn start_first(&self, layout: &VaryingLayout, front_is_clockwise: bool, batch: &mut PacketBatch) {
+        batch.start(layout, front_is_clockwise);
+        batch.share(self.id.0);
+        for &k in &self.varyings[self.varying..self.count] {
+            batch.share_row(k.into(), [self.corners[usize::from(k)][0]; 16]);
         }
-        Way::Double => {
-            let ((column_low, column_high), (row_low, row_high)) = (lanes.x.widen(), lanes.y.widen());
-            let zero = f64x8::splat(s, 0.0);
-            let (mut gain_low, mut gain_high) = ([zero; 3], [zero; 3]);
-            let mut k = 0;
-            while k < 3 {
-                let [right, down] = single.steps(k);
-                gain_low[k] = column_low * right + row_low * down;
-                gain_high[k] = column_high * right + row_high * down;
-                k += 1;
-            }
-            let mut j = 0;
-            while j < count {
-                let i = j & (BATCH - 1);
-                if let Some(new) = admit(s, shading.tile, shading.batch, compare, &packets[j], x[i], y[i]) {
-                    let mut edges = [lanes.x; 3];
-                    let mut k = 0;
-                    while k < 3 {
-                        let first = single.first_at(k, x[i] - shading.view.x, y[i] - shading.view.y);
-                        edges[k] = (gain_low[k] + first).narrow(gain_high[k] + first);
-                        k += 1;
+    }
+
+    /// Interpolates what varies in all packets of a batch that was started for this triangle.
+    #[inline(always)]
+    pub(crate) fn interpolate_all<S: Simd>(&mut self, s: S, layout: &VaryingLayout, batch: &mut PacketBatch) {
+        const ALL: [u8; BATCH] = [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15];
+        let list = &ALL[..batch.len().min(BATCH)];
+        if layout.derivatives {
+            self.interpolate::<S, true>(s, layout, batch, list, self.count);
+        } else {
+            self.interpolate::<S, false>(s, layout, batch, list, self.varying);
+        }
+    }
+
+    /// The same of those packets of any batch that the list names: which show this triangle alone, at their pixels' centres.
+    #[inline(always)]
+    pub(crate) fn interpolate_listed<S: Simd, const FULL: bool>(
+        &mut self,
+        s: S,
+        layout: &VaryingLayout,
+        batch: &mut PacketBatch,
+        list: &[u8],
+    ) {
+        self.interpolate::<S, FULL>(s, layout, batch, list, self.count);
+    }
+
+    /// Interpolates the first so many of `varyings`; with derivatives if `FULL`.
+    #[inline(never)]
+    fn interpolate<S: Simd, const FULL: bool>(
+        &mut self,
+        s: S,
+        layout: &VaryingLayout,
+        batch: &mut PacketBatch,
+        list: &[u8],
+        count: usize,
+    ) {
+        s.apart(
+            #[inline(always)]
+            || {
+                let (x, y) = batch.places();
+                let (x, y) = (i32x16::simd_from(s, *x), i32x16::simd_from(s, *y));
+                let (lanes, firsts) = (BlockLanes::new(s), &Firsts::new(self, x, y));
+                match firsts.way {
+                    Way::Sum => self.weigh::<S, FULL, _>(s, layout, batch, list, &Sum::new(self, &lanes, firsts)),
+                    Way::Short => self.weigh::<S, FULL, _>(s, layout, batch, list, &Short::new(self, &lanes, x, y)),
+                    Way::Double => {
+                        self.weigh::<S, FULL, _>(s, layout, batch, list, &Double::new(s, self, &lanes, x, y));
                     }
-                    set_rows(s, layout, shading.batch, single, new, edges, inv_w);
                 }
-                j += 1;
+                if !FULL {
+                    self.set_rows(s, batch, list, count);
+                }
+            },
+        );
+    }
+
+    /// From the edge functions of the packets that the list names, the weights of vertex 1 and 2; with derivatives, what follows from them, too.
+    #[inline(always)]
+    fn weigh<S: Simd, const FULL: bool, E: Edges<S>>(
+        &mut self,
+        s: S,
+        layout: &VaryingLayout,
+        batch: &mut PacketBatch,
+        list: &[u8],
+        edges: &E,
+    ) {
+        let [w0, w1, w2] = self.inv_w;
+        let inv_w = [f32x16::splat(s, w0), f32x16::splat(s, w1), f32x16::splat(s, w2)];
+        let [right, down] = [self.steps_in_lanes(s, &self.step_x), self.steps_in_lanes(s, &self.step_y)];
+        let mut i = 0;
+        while i < list.len().min(BATCH) {
+            let packet = list[i] as usize;
+            let weights = Weights::from_edges::<FULL>(edges.of(packet), right, down, inv_w);
+            let both = Both::new::<FULL>(s, &weights, layout);
+            if layout.depth {
+                *batch.depth_row(packet) = weights.depth(s, Corner3::splat(s, self.depths)).into();
             }
+            if FULL {
+                let (_, mut rows) = batch.packet(packet);
+                let mut k = 0;
+                while k < self.count.min(MAX_VARYINGS) {
+                    both.set::<FULL>(layout, &mut rows, k, Corner3::splat(s, self.corners[k]));
+                    k += 1;
+                }
+            } else {
+                let [b1, b2] = both.perspective();
+                self.weights[packet & (BATCH - 1)] = [b1.into(), b2.into()];
+            }
+            i += 1;
         }
     }
-    count
+
+    /// Sets the rows of varyings: one varying after the other, so that what its vertices have stays in registers.
+    #[inline(always)]
+    fn set_rows<S: Simd>(&self, s: S, batch: &mut PacketBatch, list: &[u8], count: usize) {
+        let (rows, each) = batch.all_rows();
+        let mut n = 0;
+        while n < count.min(MAX_VARYINGS) {
+            let k = self.varyings[n] as usize & (MAX_VARYINGS - 1);
+            let corner = Corner3::splat(s, self.corners[k]);
+            let mut i = 0;
+            while i < list.len().min(BATCH) {
+                let packet = list[i] as usize & (BATCH - 1);
+                let [b1, b2] = self.weights[packet];
+                rows[packet * each + k] = corner.at(f32x16::simd_from(s, b1), f32x16::simd_from(s, b2)).into();
+                i += 1;
+            }
+            n += 1;
+        }
+    }
+
+    /// What the edge functions gain a pixel right, or down. Differences times 256: exact.
+    #[inline(always)]
+    fn steps_in_lanes<S: Simd>(&self, s: S, steps: &[i32; 3]) -> [f32x16<S>; 3] {
+        let step = |k: usize| steps[k] as f32 * SUBPIXELS as f32;
+        [f32x16::splat(s, step(0)), f32x16::splat(s, step(1)), f32x16::splat(s, step(2))]
+    }
+
+    /// What edge function `k` gains a pixel right, and a pixel down.
+    #[inline(always)]
+    fn steps(&self, k: usize) -> [f64; 2] {
+        [f64::from(self.step_x[k]) * f64::from(SUBPIXELS), f64::from(self.step_y[k]) * f64::from(SUBPIXELS)]
+    }
 }
 
-/// Where blocks' first samples lie, from the tile's, by the blocks' numbers.
-#[inline(always)]
-fn places<S: Simd>(view: &TileView, blocks: u32x16<S>) -> (i32x16<S>, i32x16<S>) {
-    // A tile has fewer than 2^9 blocks, in rows of less than 2^5: a product with the inverse, rounded up, exceeds 2^16 times the quotient by less than 2^9, and so its fraction
-    // by less than 1 / stride.
-    let stride = view.stride as u32;
-    let rows = (blocks * ((1 << 16) / stride + 1)) >> 16;
-    let columns = blocks.bitcast::<i32x16<S>>() - rows.bitcast::<i32x16<S>>() * stride as i32;
-    ((columns << 2) - 4, (rows.bitcast::<i32x16<S>>() << 2) - 4)
+/// A triangle's edge functions in the blocks of a batch.
+trait Edges<S: Simd> {
+    /// Those of the samples of packet `i`'s block.
+    fn of(&self, i: usize) -> [f32x16<S>; 3];
 }
 
-/// How a batch's edge functions are computed.
+/// How they are computed.
 #[derive(Clone, Copy)]
 enum Way {
     /// As above.
@@ -253,10 +273,8 @@ enum Way {
 }
 
 /// The edge functions at the first samples of sixteen blocks.
-struct Firsts<S: Simd> {
+struct Firsts {
     way: Way,
-    x: i32x16<S>,
-    y: i32x16<S>,
     /// B of each edge and block, and F - B.
     base: [[f32; BATCH]; 3],
     rest: [[f32; BATCH]; 3],
@@ -267,9 +285,9 @@ const FAR: f32 = 4_294_967_296.0;
 /// What fits i32 is less.
 const SHORT: f32 = 2_147_483_648.0;
 
-impl<S: Simd> Firsts<S> {
+impl Firsts {
     #[inline(always)]
-    fn new(_: S, single: &Single, x: i32x16<S>, y: i32x16<S>) -> Self {
+    fn new<S: Simd>(single: &Single, x: i32x16<S>, y: i32x16<S>) -> Self {
         let ((x_low, x_high), (y_low, y_high)) = (x.to_float().widen(), y.to_float().widen());
         let (mut base, mut rest) = ([[0.0; BATCH]; 3], [[0.0; BATCH]; 3]);
         let (mut is_sum, mut is_short) = (true, true);
@@ -297,53 +315,106 @@ impl<S: Simd> Firsts<S> {
         } else {
             Way::Double
         };
-        Self { way, x, y, base, rest }
+        Self { way, base, rest }
     }
 }
 
-/// Adds a packet to the batch if any of its samples passes the depth test, and says as which.
-#[inline(always)]
-fn admit<S: Simd>(
-    s: S,
-    tile: &Tile,
-    batch: &mut PacketBatch,
-    compare: Compare,
-    packet: &OrderedPacket,
-    x: i32,
-    y: i32,
-) -> Option<usize> {
-    let depth = i32x16::simd_from(s, packet.depth);
-    let there = i32x16::simd_from(s, tile.depth[packet.block as usize]);
-    let mask = compare.passing_lanes(s, depth, there) & packet.mask;
-    if mask == 0 {
-        return None;
-    }
-    let number = batch.len();
-    let new = batch.add();
-    (new.block, new.alive, new.x, new.y) = (packet.block, mask, x, y);
-    new.depth = depth.into();
-    Some(number)
+/// As sums of two f32.
+struct Sum<'a, S: Simd> {
+    gain: [f32x16<S>; 3],
+    firsts: &'a Firsts,
 }
 
-/// The varyings of a packet that are not the same everywhere, from its edge functions.
-#[inline(always)]
-fn set_rows<S: Simd>(
-    s: S,
-    layout: &VaryingLayout,
-    batch: &mut PacketBatch,
-    single: &Single,
-    packet: usize,
-    edges: [f32x16<S>; 3],
-    inv_w: [f32x16<S>; 3],
-) {
-    let both = Both::new::<false>(s, &Weights::from_edges::<false>(edges, edges, edges, inv_w), layout);
-    let rows = batch.plain_rows(packet);
-    let mut i = 0;
-    while i < single.varying_count.min(MAX_VARYINGS) {
-        let k = single.varying[i] as usize & (MAX_VARYINGS - 1);
-        let [f0, d1, d2] = single.corners[k];
-        let corner = Corner3 { f0: f32x16::splat(s, f0), d1: f32x16::splat(s, d1), d2: f32x16::splat(s, d2) };
-        rows[k] = both.plain(corner).into();
-        i += 1;
+impl<'a, S: Simd> Sum<'a, S> {
+    #[inline(always)]
+    fn new(single: &Single, lanes: &BlockLanes<S>, firsts: &'a Firsts) -> Self {
+        let mut gain = [lanes.x; 3];
+        let mut k = 0;
+        while k < 3 {
+            gain[k] = lanes.x * (single.step_x[k] as f32 * 256.0) + lanes.y * (single.step_y[k] as f32 * 256.0);
+            k += 1;
+        }
+        Self { gain, firsts }
+    }
+}
+
+impl<S: Simd> Edges<S> for Sum<'_, S> {
+    #[inline(always)]
+    fn of(&self, i: usize) -> [f32x16<S>; 3] {
+        let (i, [g0, g1, g2]) = (i & (BATCH - 1), self.gain);
+        let Firsts { base, rest, .. } = self.firsts;
+        [(g0 + rest[0][i]) + base[0][i], (g1 + rest[1][i]) + base[1][i], (g2 + rest[2][i]) + base[2][i]]
+    }
+}
+
+/// In integers. All values fit 32 bits; on the way there, what does not wraps around and back.
+struct Short<S: Simd> {
+    gain: [i32x16<S>; 3],
+    first: [[i32; BATCH]; 3],
+}
+
+impl<S: Simd> Short<S> {
+    #[inline(always)]
+    fn new(single: &Single, lanes: &BlockLanes<S>, x: i32x16<S>, y: i32x16<S>) -> Self {
+        let (mut gain, mut first) = ([lanes.column; 3], [[0; BATCH]; 3]);
+        let mut k = 0;
+        while k < 3 {
+            let (right, down) = (single.step_x[k].wrapping_mul(256), single.step_y[k].wrapping_mul(256));
+            gain[k] = lanes.column * right + lanes.row * down;
+            first[k] = (x * right + y * down + single.first[k] as i32).into();
+            k += 1;
+        }
+        Self { gain, first }
+    }
+}
+
+impl<S: Simd> Edges<S> for Short<S> {
+    #[inline(always)]
+    fn of(&self, i: usize) -> [f32x16<S>; 3] {
+        let (i, [g0, g1, g2], first) = (i & (BATCH - 1), self.gain, &self.first);
+        [(g0 + first[0][i]).to_float(), (g1 + first[1][i]).to_float(), (g2 + first[2][i]).to_float()]
+    }
+}
+
+/// In f64.
+struct Double<S: Simd> {
+    low: [f64x8<S>; 3],
+    high: [f64x8<S>; 3],
+    first: [[f64; BATCH]; 3],
+}
+
+impl<S: Simd> Double<S> {
+    #[inline(always)]
+    fn new(s: S, single: &Single, lanes: &BlockLanes<S>, x: i32x16<S>, y: i32x16<S>) -> Self {
+        let (x, y): ([i32; BATCH], [i32; BATCH]) = (x.into(), y.into());
+        let ((column_low, column_high), (row_low, row_high)) = (lanes.x.widen(), lanes.y.widen());
+        let zero = f64x8::splat(s, 0.0);
+        let (mut low, mut high, mut first) = ([zero; 3], [zero; 3], [[0.0; BATCH]; 3]);
+        let mut k = 0;
+        while k < 3 {
+            let [right, down] = single.steps(k);
+            low[k] = column_low * right + row_low * down;
+            high[k] = column_high * right + row_high * down;
+            let mut i = 0;
+            while i < BATCH {
+                // All integers below 2^53.
+                first[k][i] = (f64::from(x[i]) * right + f64::from(y[i]) * down) + single.first[k] as f64;
+                i += 1;
+            }
+            k += 1;
+        }
+        Self { low, high, first }
+    }
+}
+
+impl<S: Simd> Edges<S> for Double<S> {
+    #[inline(always)]
+    fn of(&self, i: usize) -> [f32x16<S>; 3] {
+        let (i, low, high, first) = (i & (BATCH - 1), &self.low, &self.high, &self.first);
+        [
+            (low[0] + first[0][i]).narrow(high[0] + first[0][i]),
+            (low[1] + first[1][i]).narrow(high[1] + first[1][i]),
+            (low[2] + first[2][i]).narrow(high[2] + first[2][i]),
+        ]
     }
 }

@@ -1,6 +1,6 @@
 //! What shading knows of lines and points, beyond that they look like triangles.
 
-use super::packet::PacketState;
+use super::distinct::Fragments;
 use crate::pass::ProvokingVertex;
 use crate::raster::groups::LinearDepth;
 use crate::raster::smooth::covered_area;
@@ -20,16 +20,16 @@ pub(crate) struct StrokeView<'a> {
 impl StrokeView<'_> {
     /// The parts of a packet's pixels that a smooth line covers, by its number in the run; `None` of anything else. The packet is all of that line.
     #[inline(always)]
-    pub(crate) fn covered_parts<S: Simd>(&self, s: S, stroke: usize, packet: &PacketState) -> Option<f32x16<S>> {
+    pub(crate) fn covered_parts<S: Simd>(&self, s: S, stroke: usize, fragments: &Fragments<'_>) -> Option<f32x16<S>> {
         let StrokeShape::Smooth { width } = self.shape else { return None };
         let corners = corners_of_line(&self.strokes[stroke], width);
         let mut parts = [0.0; 16];
-        let mut rest = packet.alive & 0xffff;
+        let mut rest = fragments.mask & 0xffff;
         while rest != 0 {
             let lane = rest.trailing_zeros() & 15;
             rest &= rest - 1;
             let (column, row) = ((lane & 3) as i32, (lane >> 2) as i32);
-            parts[lane as usize] = covered_area(&corners, packet.x + column, packet.y + row);
+            parts[lane as usize] = covered_area(&corners, fragments.x + column, fragments.y + row);
         }
         Some(f32x16::simd_from(s, parts))
     }

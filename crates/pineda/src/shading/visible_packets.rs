@@ -13,6 +13,8 @@ pub(crate) struct VisiblePacket {
     pub(crate) run: u32,
     pub(crate) block: u32,
     pub(crate) mask: u32,
+    /// The triangle, if all of them show the same; or 0.
+    pub(crate) id: u32,
     /// The block's first pixel.
     pub(crate) x: i32,
     pub(crate) y: i32,
@@ -28,28 +30,37 @@ pub(crate) fn collect_visible<S: Simd>(
     out: &mut Vec<VisiblePacket>,
 ) {
     let blocks = view.side / 4;
+    out.reserve((blocks * blocks) as usize);
+    // What the last block showed, if that was one triangle only.
+    let mut last = VisiblePacket { run: 0, block: 0, mask: 0, id: 0, x: 0, y: 0 };
     let mut by = 0;
     while by < blocks {
         let mut bx = 0;
         while bx < blocks {
-            let block = view.block(bx, by);
+            let (block, x, y) = (view.block(bx, by), view.x + 4 * bx, view.y + 4 * by);
+            bx += 1;
             let ids = u32x16::simd_from(s, tile.id[block]);
+            if last.id != 0 && ids.simd_eq(last.id).to_bitmask() == 0xffff {
+                out.push(VisiblePacket { block: block as u32, mask: 0xffff, x, y, ..last });
+                continue;
+            }
             let mut rest = ids.simd_gt(0).to_bitmask() as u32;
             while rest != 0 {
+                let first = tile.id[block][rest.trailing_zeros() as usize & 15];
                 let mut run = 0;
                 let mut mask = rest;
                 if batch.runs.len() > 1 {
-                    let id = TriangleId(tile.id[block][rest.trailing_zeros() as usize & 15]);
-                    run = batch.run_of(id.number());
+                    run = batch.run_of(TriangleId(first).number());
                     let last = batch.runs[run].first_number + batch.runs[run].triangles;
                     let first = TriangleId::first(batch.runs[run].first_number);
                     mask &= (ids.simd_ge(first) & ids.simd_lt(TriangleId::first(last))).to_bitmask() as u32;
                 }
-                let (x, y) = (view.x + 4 * bx, view.y + 4 * by);
-                out.push(VisiblePacket { run: run as u32, block: block as u32, mask, x, y });
+                let is_one = mask & !(ids.simd_eq(first).to_bitmask() as u32) == 0;
+                let id = if is_one { first } else { 0 };
+                last = VisiblePacket { run: run as u32, block: block as u32, mask, id, x, y };
+                out.push(last);
                 rest &= !mask;
             }
-            bx += 1;
         }
         by += 1;
     }

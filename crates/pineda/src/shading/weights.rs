@@ -20,7 +20,7 @@ use crate::geometry::project::Homogeneous;
 use crate::geometry::raster_space::{HALF_PIXEL, SUBPIXELS};
 use crate::raster::triangle_id::TriangleId;
 use crate::shading::run::RunView;
-use crate::tile::view::{BlockLanes, Positions};
+use crate::tile::view::Positions;
 use crate::wide::{Simd, f32x16, f64x8, i32x16, mask32x16};
 
 /// Coordinates relative to a block's first sample up to which edge functions in the block fit i32: 2 (2^15)^2 = 2^31, less what the
@@ -159,75 +159,6 @@ pub(crate) fn of_triangle<S: Simd>(
     Weights::from_edges::<true>(edge, dx, dy, w)
 }
 
-/// One triangle on the raster, ready for any block: what stays the same from block to block is computed once.
-#[derive(Clone, Copy)]
-pub(crate) struct Prepared<S: Simd> {
-    x: [i32; 3],
-    y: [i32; 3],
-    inv_w: [f32; 3],
-    step_x: [i32; 3],
-    step_y: [i32; 3],
-    /// By how much a sample's edge functions exceed those of its block's first sample; all integers, exact.
-    low: [f64x8<S>; 3],
-    high: [f64x8<S>; 3],
-}
-
-impl<S: Simd> Prepared<S> {
-    #[inline(always)]
-    pub(crate) fn none(s: S) -> Self {
-        let (zero, none) = ([f64x8::splat(s, 0.0); 3], [0; 3]);
-        Self { x: none, y: none, inv_w: [0.0; 3], step_x: none, step_y: none, low: zero, high: zero }
-    }
-
-    #[inline(always)]
-    pub(crate) fn new(s: S, run: &RunView<'_>, rows: usize, places: &[usize; 4], lanes: &BlockLanes<S>) -> Self {
-        let mut this = Self::none(s);
-        let mut k = 0;
-        while k < 3 {
-            let record = &run.records[places[k] * rows];
-            this.x[k] = record[0] as i32;
-            this.y[k] = record[1] as i32;
-            this.inv_w[k] = f32::from_bits(record[2]);
-            k += 1;
-        }
-        let (column_low, column_high) = lanes.x.widen();
-        let (row_low, row_high) = lanes.y.widen();
-        let mut k = 0;
-        while k < 3 {
-            let (a, b) = ((k + 1) % 3, (k + 2) % 3);
-            this.step_x[k] = this.y[a] - this.y[b];
-            this.step_y[k] = this.x[b] - this.x[a];
-            let right = f64::from(this.step_x[k]) * f64::from(SUBPIXELS);
-            let down = f64::from(this.step_y[k]) * f64::from(SUBPIXELS);
-            this.low[k] = column_low * right + row_low * down;
-            this.high[k] = column_high * right + row_high * down;
-            k += 1;
-        }
-        this
-    }
-
-    /// Its weights in the block whose first pixel is (x, y).
-    #[inline(always)]
-    pub(crate) fn weights<const FULL: bool>(&self, s: S, x: i32, y: i32) -> Weights<S> {
-        let (px, py) = (i64::from(x * SUBPIXELS + HALF_PIXEL), i64::from(y * SUBPIXELS + HALF_PIXEL));
-        let mut edge = [f32x16::splat(s, 0.0); 3];
-        let (mut w, mut dx, mut dy) = (edge, edge, edge);
-        let mut k = 0;
-        while k < 3 {
-            let (a, b) = ((k + 1) % 3, (k + 2) % 3);
-            let (ax, ay) = (i64::from(self.x[a]) - px, i64::from(self.y[a]) - py);
-            let (bx, by) = (i64::from(self.x[b]) - px, i64::from(self.y[b]) - py);
-            let first = f64x8::splat(s, (ax * by - bx * ay) as f64);
-            edge[k] = (self.low[k] + first).narrow(self.high[k] + first);
-            w[k] = f32x16::splat(s, self.inv_w[k]);
-            dx[k] = f32x16::splat(s, self.step_x[k] as f32 * SUBPIXELS as f32);
-            dy[k] = f32x16::splat(s, self.step_y[k] as f32 * SUBPIXELS as f32);
-            k += 1;
-        }
-        Weights::from_edges::<FULL>(edge, dx, dy, w)
-    }
-}
-
 /// One clipped triangle, which of its vertices as submitted each weight is of, and its depths.
 #[inline(never)]
 pub(crate) fn of_clipped<S: Simd>(
@@ -252,7 +183,7 @@ pub(crate) fn of_clipped<S: Simd>(
         largest = largest.max(row[0].abs() * reach + row[1].abs() * reach + row[2].abs());
     }
     let scale = if largest > 0.0 && largest.is_finite() { 1.0 / largest } else { 0.0 };
-    let (weights, depth) = s.vectorize(
+    let (weights, depth) = s.apart(
         #[inline(always)]
         || evaluate_homogeneous(s, &coefficients, scale, &p, x, y, at),
     );

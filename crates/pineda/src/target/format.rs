@@ -240,7 +240,7 @@ impl TileColor {
     /// [`Self::load`] for the less usual formats. Not inlined: they would only be in the way of the usual ones.
     #[inline(never)]
     fn load_other<S: Simd>(&self, s: S, block: usize) -> [[f32; 16]; 4] {
-        s.vectorize(
+        s.apart(
             #[inline(always)]
             || self.load_any(s, block),
         )
@@ -280,7 +280,7 @@ impl TileColor {
     /// [`Self::store`] for the less usual formats.
     #[inline(never)]
     fn store_other<S: Simd>(&mut self, s: S, block: usize, mask: u64, color: &[[f32; 16]; 4], written: [bool; 4]) {
-        s.vectorize(
+        s.apart(
             #[inline(always)]
             || self.store_any(s, block, mask32x16::from_bitmask(s, mask), color, written),
         );

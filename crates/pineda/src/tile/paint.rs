@@ -13,13 +13,12 @@ use crate::pass::{Compare, DrawStatistics, Sampling};
 use crate::raster::bins::{BinEntry, Share, Stretches, TileGrid};
 use crate::raster::reach::PixelRect;
 use crate::raster::samples::Samples;
-use crate::shading::cached::TriangleCache;
+use crate::shading::interpolate::Interpolator;
 use crate::shading::multisample::{shade_samples_in_order, shade_visible_samples};
 use crate::shading::packet::PacketBatch;
 use crate::shading::run::RunView;
 use crate::shading::sample_packets::{SamplePacket, collect_visible as collect_visible_samples};
 use crate::shading::shade::{OrderedPacket, Shading, shade_in_order, shade_visible};
-use crate::shading::single::Single;
 use crate::shading::visible_packets::{VisiblePacket, collect_visible};
 use crate::target::MAX_COLORS;
 use crate::target::bands::Bands;
@@ -98,8 +97,7 @@ pub(crate) struct Painter {
     visible: Vec<VisiblePacket>,
     visible_samples: Vec<SamplePacket>,
     batch: PacketBatch,
-    cache: TriangleCache,
-    single: Single,
+    interpolator: Interpolator,
     ordered: Vec<OrderedPacket>,
     /// What was counted of each draw, if it is asked for.
     pub(crate) draws: Vec<DrawStatistics>,
@@ -115,8 +113,7 @@ impl Painter {
             visible: Vec::new(),
             visible_samples: Vec::new(),
             batch: PacketBatch::new(),
-            cache: TriangleCache::new(),
-            single: Single::NONE,
+            interpolator: Interpolator::new(),
             ordered: Vec::new(),
             draws: Vec::new(),
         }
@@ -124,7 +121,7 @@ impl Painter {
 
     /// Paints one tile after the other until none is left.
     pub(crate) fn paint_all(&mut self, painting: &Painting<'_>, queue: &TileQueue) {
-        self.cache.forget();
+        self.interpolator.forget();
         let mut place = None;
         while let Some((column, row)) = queue.take(&mut place) {
             self.paint(painting, column, row);
@@ -247,17 +244,9 @@ impl Painter {
         let test = AnyTest { rule: segment.depth, format: painting.depth_format };
         let counted_in = segment.draw.map(|_| *view);
         let is_usual = segment.depth.is_whole_range() && painting.depth_format.is_float() && counted_in.is_none();
-        let compare = Some(segment.depth.compare).filter(|_| is_usual);
+        let usual = Some(segment.depth.compare).filter(|_| is_usual);
         let area = Area { share, entries, view, rect };
-        let level = painting.level;
-        // A kernel each: together they would be too much for the compiler to see through.
-        let passed = match (compare, wants_ids) {
-            (Some(Compare::Less), true) => usual_visibility::<false, true>(level, &area, tile),
-            (Some(Compare::Less), false) => usual_visibility::<false, false>(level, &area, tile),
-            (Some(Compare::Greater), true) => usual_visibility::<true, true>(level, &area, tile),
-            (Some(Compare::Greater), false) => usual_visibility::<true, false>(level, &area, tile),
-            _ => dispatch!(level, s => visibility::<_, _, true>(s, &area, tile, test, counted_in)),
-        };
+        let passed = dispatch!(painting.level, s => visibility(s, &area, tile, usual, wants_ids, test, counted_in));
         if let Some(draw) = segment.draw {
             let counts = self.counts(draw);
             counts.samples_passed += passed;
@@ -352,8 +341,7 @@ impl Painter {
             color: &mut self.color,
             more_colors: &mut self.more_colors,
             batch: &mut self.batch,
-            cache: &mut self.cache,
-            single: &mut self.single,
+            interpolator: &mut self.interpolator,
             depth: AnyTest { rule: batch.segments[batch.runs[run].segment].depth, format: painting.depth_format },
             counted,
         }
@@ -423,7 +411,6 @@ impl Painter {
         let mut work = std::mem::take(&mut self.tile.worklist);
         let mut counted = segment.draw.map(|_| DrawStatistics::default());
         let is_plain = painting.samples.is_one() && !call.state().alpha_to_coverage;
-        self.single.forget();
         let mut packets = std::mem::take(&mut self.ordered);
         let mut sink = InOrder {
             test,
@@ -447,23 +434,48 @@ impl Painter {
     }
 }
 
-/// [`visibility`] with the usual tests.
-fn usual_visibility<const GREATER: bool, const ID: bool>(level: Level, area: &Area<'_>, tile: &mut Tile) -> u64 {
-    dispatch!(level, s => visibility::<_, _, ID>(s, area, tile, Usual::<GREATER>, None))
+/// Coverage and depth; `usual` is the comparison of a usual test. How many samples passed, if they are counted.
+#[inline(always)]
+fn visibility<S: Simd>(
+    s: S,
+    area: &Area<'_>,
+    tile: &mut Tile,
+    usual: Option<Compare>,
+    wants_ids: bool,
+    test: AnyTest,
+    counted_in: Option<TileView>,
+) -> u64 {
+    if S::HAS_SHORTCUTS {
+        match (usual, wants_ids) {
+            (Some(Compare::Less), true) => return visibility_with::<S, _, true>(s, area, tile, Usual::<false>, None),
+            (Some(Compare::Less), false) => return visibility_with::<S, _, false>(s, area, tile, Usual::<false>, None),
+            (Some(Compare::Greater), true) => return visibility_with::<S, _, true>(s, area, tile, Usual::<true>, None),
+            (Some(Compare::Greater), false) => {
+                return visibility_with::<S, _, false>(s, area, tile, Usual::<true>, None);
+            }
+            _ => {}
+        }
+    }
+    visibility_with::<S, _, true>(s, area, tile, test, counted_in)
 }
 
-/// How many samples passed, if they are counted.
-#[inline(always)]
-fn visibility<S: Simd, T: DepthTest<S>, const ID: bool>(
+/// A kernel for each test, and for whether ids are wanted: together they would be too much for the compiler to see through.
+#[inline(never)]
+fn visibility_with<S: Simd, T: DepthTest<S>, const ID: bool>(
     s: S,
     area: &Area<'_>,
     tile: &mut Tile,
     test: T,
     counted_in: Option<TileView>,
 ) -> u64 {
-    let (mut sink, work) = Visibility::<T, ID>::new::<S>(tile, test, counted_in);
-    cover(s, area.share, area.entries, area.view, area.rect, work, &mut sink);
-    sink.passed
+    s.apart(
+        #[inline(always)]
+        || {
+            let (mut sink, work) = Visibility::<T, ID>::new::<S>(tile, test, counted_in);
+            cover(s, area.share, area.entries, area.view, area.rect, work, &mut sink);
+            sink.passed
+        },
+    )
 }
 
 /// What is covered, and where.

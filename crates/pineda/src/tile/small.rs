@@ -18,7 +18,7 @@ pub(crate) fn small<S: Simd, K: Sink<S>>(
     view: &TileView,
     sink: &mut K,
 ) {
-    s.vectorize(
+    s.apart(
         #[inline(always)]
         || {
             let lanes = BlockLanes::new(s);

@@ -3,7 +3,7 @@
 use crate::geometry::raster_space::SUBPIXEL_BITS;
 use crate::raster::reach::PixelRect;
 use crate::raster::samples::Samples;
-use crate::wide::{Simd, f32x16, i32x16, mask32x16};
+use crate::wide::{Simd, f32x16, i32x16, mask32x16, u32x16};
 
 /// A tile's place in the picture and the shape of its buffers.
 #[derive(Clone, Copy, Debug)]
@@ -71,6 +71,17 @@ impl TileView {
         let block = block % self.plane_blocks;
         let (x, y) = ((block % self.stride) as i32 - 1, (block / self.stride) as i32 - 1);
         (self.x + 4 * x, self.y + 4 * y)
+    }
+
+    /// The first pixels of sixteen blocks of a tile with one sample a pixel.
+    #[inline(always)]
+    pub(crate) fn pixels_of<S: Simd>(&self, blocks: u32x16<S>) -> (i32x16<S>, i32x16<S>) {
+        // A tile has fewer than 2^9 blocks, in rows of less than 2^5: a product with the inverse, rounded up, exceeds 2^16 times the quotient by less than 2^9, and so its fraction
+        // by less than 1 / stride.
+        let stride = self.stride as u32;
+        let rows = (blocks * ((1 << 16) / stride + 1)) >> 16;
+        let columns = blocks.bitcast::<i32x16<S>>() - rows.bitcast::<i32x16<S>>() * stride as i32;
+        ((columns << 2) + (self.x - 4), (rows.bitcast::<i32x16<S>>() << 2) + (self.y - 4))
     }
 }
 

@@ -4,8 +4,12 @@
 ///
 /// `fearless_simd` tells that at run time only. The optimizer would drop the way not taken, but not before it had inlined all of it.
 pub trait Simd: fearless_simd::Simd {
+    /// Whether all CPUs have the level for which the program is compiled.
+    const IS_BASELINE: bool = false;
     /// Whether lanes are elements of plain arrays.
     const IS_PLAIN: bool = false;
+    /// Whether ways are taken that are there for speed alone. Where they are not, half as much is to be compiled; and what the other levels draw is compared with what the general ways do.
+    const HAS_SHORTCUTS: bool = false;
     /// Whether a packet is two registers.
     const HAS_HALVES: bool = false;
     /// Whether [`u32x16::pick`](super::u32x16::pick) is one instruction.
@@ -18,32 +22,44 @@ pub trait Simd: fearless_simd::Simd {
     const SHIFTS_EACH: bool = false;
     /// Whether the level's maximum and minimum of floats are x86's, `a > b ? a : b` and `a < b ? a : b` to the bit, of NaN and zeros too. Elsewhere they treat these in other ways.
     const MAX_COMPARES: bool = false;
+
+    /// Runs code in a function of its own, which has the level's instructions. What is called there must be `#[inline(always)]`.
+    #[inline(always)]
+    fn apart<R>(self, run: impl FnOnce() -> R) -> R {
+        if Self::IS_BASELINE { here(run) } else { self.vectorize(run) }
+    }
+}
+
+/// `fearless_simd`'s `vectorize`, where that need not change what the compiler may use, would be inlined, after it had been optimized by itself: twice the work.
+#[inline(never)]
+fn here<R>(run: impl FnOnce() -> R) -> R {
+    run()
 }
 
 /// What each level has.
 macro_rules! levels {
-    ($($(#[$condition:meta])* $token:ty: $($has:ident)*;)+) => {$(
+    ($($(#[$condition:meta])* $token:ty: $($has:ident $(($when:literal))?)*;)+) => {$(
         $(#[$condition])*
         impl Simd for $token {
-            $(const $has: bool = true;)*
+            $(const $has: bool = true $(&& cfg!(target_feature = $when))?;)*
         }
     )+};
 }
 
 levels! {
-    fearless_simd::Fallback: IS_PLAIN;
+    fearless_simd::Fallback: IS_BASELINE IS_PLAIN;
     #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-    fearless_simd::x86::Sse2: MAX_COMPARES;
+    fearless_simd::x86::Sse2: IS_BASELINE("sse2") MAX_COMPARES;
     #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-    fearless_simd::x86::Sse4_2: CAN_PICK_IN_FOURS MULTIPLIES MAX_COMPARES;
+    fearless_simd::x86::Sse4_2: HAS_SHORTCUTS CAN_PICK_IN_FOURS MULTIPLIES MAX_COMPARES;
     #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-    fearless_simd::x86::Avx2: HAS_HALVES CAN_PICK_IN_FOURS MULTIPLIES SHIFTS_EACH MAX_COMPARES;
+    fearless_simd::x86::Avx2: HAS_SHORTCUTS HAS_HALVES CAN_PICK_IN_FOURS MULTIPLIES SHIFTS_EACH MAX_COMPARES;
     #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-    fearless_simd::x86::Avx512: CAN_PICK CAN_PICK_IN_FOURS MULTIPLIES SHIFTS_EACH MAX_COMPARES;
+    fearless_simd::x86::Avx512: HAS_SHORTCUTS CAN_PICK CAN_PICK_IN_FOURS MULTIPLIES SHIFTS_EACH MAX_COMPARES;
     #[cfg(target_arch = "aarch64")]
-    fearless_simd::aarch64::Neon: CAN_PICK_IN_FOURS MULTIPLIES SHIFTS_EACH;
+    fearless_simd::aarch64::Neon: IS_BASELINE("neon") HAS_SHORTCUTS CAN_PICK_IN_FOURS MULTIPLIES SHIFTS_EACH;
     #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
-    fearless_simd::wasm32::WasmSimd128: CAN_PICK_IN_FOURS MULTIPLIES;
+    fearless_simd::wasm32::WasmSimd128: IS_BASELINE HAS_SHORTCUTS CAN_PICK_IN_FOURS MULTIPLIES;
 }
 
 /// `fearless_simd::dispatch!` for code that is generic over the [`Simd`] of this module: evaluates the expression, with the level's
@@ -51,7 +67,7 @@ levels! {
 macro_rules! dispatch {
     (@at $token:ident, $simd:pat => $run:expr) => {{
         let $simd = $token;
-        fearless_simd::Simd::vectorize(
+        $crate::wide::Simd::apart(
             $token,
             #[inline(always)]
             || $run,

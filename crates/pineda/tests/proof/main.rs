@@ -11,6 +11,7 @@ mod errors;
 mod fragments;
 mod garbage;
 mod ids;
+mod large_triangles;
 mod multisample;
 mod occlusion;
 mod passes;
