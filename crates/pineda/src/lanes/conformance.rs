@@ -1,5 +1,8 @@
 //! The suite that a SIMD level must pass: every operation, on every level that this CPU has, bit for bit against
 //! [`Scalar`]. A NaN may have any sign and payload; everything else must agree in each bit.
+//!
+//! What is built of these operations (functions, lookups) is checked in the same way, but only at the levels that shaders are compiled for: at others it never runs, and it is long enough for that
+//! to be a third of what the tests take to compile.
 
 #![allow(
     clippy::excessive_precision,
@@ -8,7 +11,7 @@
 )]
 
 use super::{Lanes, Packet, Scalar};
-use crate::wide::dispatch;
+use crate::wide::{dispatch, dispatch_shader};
 use fearless_simd::{Level, Simd};
 
 /// The levels that this CPU has, from plain arrays up.
@@ -32,6 +35,15 @@ pub(crate) fn levels() -> Vec<Level> {
     levels
 }
 
+/// Those of them that shaders are compiled for.
+pub(crate) fn shader_levels() -> Vec<Level> {
+    let mut levels = levels();
+    levels.retain(|level| {
+        dispatch_shader!(*level, simd => core::mem::discriminant(&simd.level()) == core::mem::discriminant(level))
+    });
+    levels
+}
+
 /// One operation on two rows of bits, at any width.
 pub(crate) trait Operation {
     const NAME: &'static str;
@@ -42,17 +54,31 @@ pub(crate) trait Operation {
 
 /// Runs the operation on each pair at every level.
 pub(crate) fn check<O: Operation>(pairs: &[(u32, u32)]) {
+    compare::<O>(pairs, &levels(), |level, a, b, found| {
+        dispatch!(level, simd => {
+            assert_eq!(core::mem::discriminant(&simd.level()), core::mem::discriminant(&level), "the level under test");
+            run::<_, O>(Packet(simd), a, b, found);
+        });
+    });
+}
+
+/// The same at the levels that shaders are compiled for.
+pub(crate) fn check_in_shaders<O: Operation>(pairs: &[(u32, u32)]) {
+    compare::<O>(pairs, &shader_levels(), |level, a, b, found| {
+        dispatch_shader!(level, simd => run::<_, O>(Packet(simd), a, b, found));
+    });
+}
+
+/// Compares what a function finds at each level with what [`Scalar`] finds.
+fn compare<O: Operation>(pairs: &[(u32, u32)], levels: &[Level], find: impl Fn(Level, &[i32], &[i32], &mut [i32])) {
     let (mut a, mut b): (Vec<i32>, Vec<i32>) = pairs.iter().map(|p| (p.0.cast_signed(), p.1.cast_signed())).unzip();
     a.resize(a.len().next_multiple_of(16), 0);
     b.resize(a.len(), 0);
     let mut expected = vec![0; a.len()];
     run::<Scalar, O>(Scalar, &a, &b, &mut expected);
-    for level in levels() {
+    for &level in levels {
         let mut found = vec![0; a.len()];
-        dispatch!(level, simd => {
-            assert_eq!(core::mem::discriminant(&simd.level()), core::mem::discriminant(&level), "the level under test");
-            run::<_, O>(Packet(simd), &a, &b, &mut found);
-        });
+        find(level, &a, &b, &mut found);
         for i in 0..a.len() {
             let both_nan =
                 O::FLOAT && [expected[i], found[i]].iter().all(|x| f32::from_bits(x.cast_unsigned()).is_nan());
@@ -80,10 +106,10 @@ fn run<L: Lanes, O: Operation>(lanes: L, a: &[i32], b: &[i32], out: &mut [i32]) 
     }
 }
 
-/// Declares operations and checks each on the given pairs: `float` ones from floats to a float, `mask` ones from floats
+/// Declares operations and checks each on the given pairs, by [`check`] or [`check_in_shaders`]: `float` ones from floats to a float, `mask` ones from floats
 /// to yes or no, `int` ones from integers to an integer, `to_int` ones from floats to an integer.
 macro_rules! conformance {
-    ($pairs:expr; $($kind:ident $name:ident<$width:ident>($lanes:ident, $a:ident, $b:ident) = $result:expr;)+) => {$({
+    ($check:ident $pairs:expr; $($kind:ident $name:ident<$width:ident>($lanes:ident, $a:ident, $b:ident) = $result:expr;)+) => {$({
         struct Case;
         impl $crate::lanes::conformance::Operation for Case {
             const NAME: &'static str = stringify!($name);
@@ -94,7 +120,7 @@ macro_rules! conformance {
                 $crate::lanes::conformance::conformance!(@step $kind $width $lanes $a $b $result)
             }
         }
-        $crate::lanes::conformance::check::<Case>($pairs);
+        $crate::lanes::conformance::$check::<Case>($pairs);
     })+};
     (@float float) => { true };
     (@float $kind:ident) => { false };
@@ -222,7 +248,7 @@ impl Random {
 #[test]
 fn float_operations_have_the_same_bits_at_every_level() {
     conformance! {
-        &pairs();
+        check &pairs();
         float add<L>(lanes, a, b) = L::add(a, b);
         float sub<L>(lanes, a, b) = L::sub(a, b);
         float mul<L>(lanes, a, b) = L::mul(a, b);
@@ -240,7 +266,7 @@ fn float_operations_have_the_same_bits_at_every_level() {
 #[test]
 fn doubles_have_the_same_bits_at_every_level() {
     conformance! {
-        &pairs();
+        check &pairs();
         float narrow<L>(lanes, a, b) = L::narrow(L::widen(a));
         float dadd<L>(lanes, a, b) = L::narrow(L::dadd(L::widen(a), L::widen(b)));
         float dsub<L>(lanes, a, b) = L::narrow(L::dsub(L::widen(a), L::widen(b)));
@@ -257,7 +283,7 @@ fn doubles_have_the_same_bits_at_every_level() {
 #[test]
 fn operations_on_bits_keep_those_of_nan_too() {
     conformance! {
-        &pairs();
+        check &pairs();
         to_int neg<L>(lanes, a, b) = L::f_bits(L::neg(a));
         to_int abs<L>(lanes, a, b) = L::f_bits(L::abs(a));
         to_int select<L>(lanes, a, b) = L::f_bits(L::select(L::lt(a, b), a, b));
@@ -268,7 +294,7 @@ fn operations_on_bits_keep_those_of_nan_too() {
 #[test]
 fn comparisons_and_masks_agree_at_every_level() {
     conformance! {
-        &pairs();
+        check &pairs();
         mask lt<L>(lanes, a, b) = L::lt(a, b);
         mask le<L>(lanes, a, b) = L::le(a, b);
         mask eq<L>(lanes, a, b) = L::eq(a, b);
@@ -284,7 +310,7 @@ fn comparisons_and_masks_agree_at_every_level() {
 #[test]
 fn integer_operations_have_the_same_bits_at_every_level() {
     conformance! {
-        &pairs();
+        check &pairs();
         int iadd<L>(lanes, a, b) = L::iadd(a, b);
         int isub<L>(lanes, a, b) = L::isub(a, b);
         int imul<L>(lanes, a, b) = L::imul(a, b);

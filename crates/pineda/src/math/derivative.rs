@@ -97,9 +97,9 @@ vectors! {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::lanes::conformance::levels;
+    use crate::lanes::conformance::shader_levels;
     use crate::lanes::{Packet, Scalar};
-    use crate::wide::dispatch;
+    use crate::wide::dispatch_shader;
 
     /// Each function of one number, at any width, and from where to where it is tried.
     macro_rules! functions {
@@ -171,11 +171,11 @@ mod tests {
 
     #[test]
     fn lanes_derive_as_numbers_do() {
-        for level in levels() {
+        for level in shader_levels() {
             for k in 0..64 {
                 let row: [f32; 16] = core::array::from_fn(|i| (16 * k + i) as f32 / 128.0 - 4.03);
                 let (mut value, mut dx, mut dy) = ([0.0f32; 16], [0.0f32; 16], [0.0f32; 16]);
-                dispatch!(level, simd => {
+                dispatch_shader!(level, simd => {
                     let x = Real::load(Packet(simd), &row);
                     let found = expression(x.with_derivatives(x * 0.25 + 1.0, x - 3.0));
                     found.value().store(&mut value);

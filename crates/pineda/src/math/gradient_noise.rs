@@ -225,7 +225,7 @@ mod tests {
     #[test]
     fn noise_has_the_same_bits_at_every_level() {
         conformance! {
-            &pairs();
+            check_in_shaders &pairs();
             float gradient2<L>(lanes, a, b) = gradient2(Vec2::<L>::new(Real(a), Real(b)), 3).0;
             float slope2<L>(lanes, a, b) = gradient2_with_slope(Vec2::<L>::new(Real(a), Real(b)), 3).1.dot([1.0, 10.0]).0;
             float gradient3<L>(lanes, a, b) = gradient3(Vec3::<L>::new(Real(a), Real(b), Real(a) * 0.3), 5).0;

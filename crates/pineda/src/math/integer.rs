@@ -299,8 +299,8 @@ impl<L: Lanes> Real<L> {
 mod tests {
     use super::*;
     use crate::lanes::Packet;
-    use crate::lanes::conformance::levels;
-    use crate::wide::dispatch;
+    use crate::lanes::conformance::shader_levels;
+    use crate::wide::dispatch_shader;
 
     const NUMBERS: [u32; 16] = [
         0,
@@ -444,8 +444,8 @@ mod tests {
                     let found: Vec<u32> = found.into_iter().map(|row| row[0]).collect();
                     assert_eq!(found, wanted[lane], "{} {}", a[lane], b[lane]);
                 }
-                for level in levels() {
-                    let found = dispatch!(level, simd => all(Packet(simd), a, b));
+                for level in shader_levels() {
+                    let found = dispatch_shader!(level, simd => all(Packet(simd), a, b));
                     for (k, row) in found.iter().enumerate() {
                         let wanted: Vec<u32> = wanted.iter().map(|all| all[k]).collect();
                         assert_eq!(*row, wanted, "{level:?}, operation {k}");

@@ -1,11 +1,11 @@
 //! Lanes look up what a single one does, at every SIMD level. What that is, `tests/textures.rs` judges.
 
 use super::*;
-use crate::lanes::conformance::levels;
+use crate::lanes::conformance::shader_levels;
 use crate::lanes::{Lanes, Packet, Scalar};
 use crate::math::{Real, Rgba, RgbaI, Vec3};
 use crate::pass::Compare;
-use crate::wide::dispatch;
+use crate::wide::dispatch_shader;
 use pineda_oracle::cases::Random;
 
 fn texels<F: Filterable>(random: &mut Random, count: u32) -> Vec<F::Texel> {
@@ -103,8 +103,8 @@ fn all_levels_look_up_what_one_lane_does() {
             rows[6][5] = f32::INFINITY;
             rows[7][9] = 0.0;
         }
-        for level in levels() {
-            let found = dispatch!(level, simd => all_kinds(Packet(simd), &rows, &sampler, &textures, 0));
+        for level in shader_levels() {
+            let found = dispatch_shader!(level, simd => all_kinds(Packet(simd), &rows, &sampler, &textures, 0));
             for lane in 0..16 {
                 let wanted = all_kinds(Scalar, &rows, &sampler, &textures, lane);
                 for (k, (found, wanted)) in found.iter().zip(&wanted).enumerate() {
@@ -148,8 +148,8 @@ fn lanes_decode_every_format_as_numbers_are() {
                 row[k] = word.cast_signed();
             }
         }
-        for level in levels() {
-            let found = dispatch!(level, simd => rows::<F, _>(Packet(simd), &words, 0));
+        for level in shader_levels() {
+            let found = dispatch_shader!(level, simd => rows::<F, _>(Packet(simd), &words, 0));
             for lane in 0..16 {
                 let wanted = rows::<F, _>(Scalar, &words, lane);
                 for (found, wanted) in found.iter().zip(&wanted) {
