@@ -128,12 +128,12 @@ pub(crate) fn large<S: Simd, K: Sink<S>>(
             let k = candidates.trailing_zeros() as usize & 15;
             candidates &= candidates - 1;
             let (bx, by) = ((k & 3) as i32, (k >> 2) as i32);
-            let mut inside = blocks.inside(&window_edges, k);
+            let mut outside = blocks.outside(&window_edges, k);
             if let Some(rect) = rect {
-                inside = inside & lanes.within(rect, view.x + wx_px + 4 * bx, view.y + wy_px + 4 * by);
+                outside = lanes.outside(rect, view.x + wx_px + 4 * bx, view.y + wy_px + 4 * by, outside);
             }
             let z = depths_at(lanes, &plane, fx + (4 * bx) as f32, fy + (4 * by) as f32);
-            sink.samples(s, block + by as usize * view.stride + bx as usize, inside, z, t.0[0]);
+            sink.samples(s, block + by as usize * view.stride + bx as usize, outside.simd_ge(0), z, t.0[0]);
         }
     }
 }
@@ -187,10 +187,10 @@ impl<S: Simd> BlockEdges<S> {
         ]
     }
 
-    /// The samples inside of block `k`.
+    /// Negative for the samples of block `k` that are outside.
     #[inline(always)]
-    fn inside(&self, rows: &[[i32; 16]; 3], k: usize) -> mask32x16<S> {
-        ((self.samples[0] + rows[0][k]) | (self.samples[1] + rows[1][k]) | (self.samples[2] + rows[2][k])).simd_ge(0)
+    fn outside(&self, rows: &[[i32; 16]; 3], k: usize) -> i32x16<S> {
+        (self.samples[0] + rows[0][k]) | (self.samples[1] + rows[1][k]) | (self.samples[2] + rows[2][k])
     }
 }
 

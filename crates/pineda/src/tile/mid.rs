@@ -156,14 +156,14 @@ pub(crate) fn flush<S: Simd, K: Sink<S>>(
         let e0 = i32x16::simd_from(s, t.samples[0]) + work.edges[0][i];
         let e1 = i32x16::simd_from(s, t.samples[1]) + work.edges[1][i];
         let e2 = i32x16::simd_from(s, t.samples[2]) + work.edges[2][i];
-        let mut inside = (e0 | e1 | e2).simd_ge(0);
+        let mut outside = e0 | e1 | e2;
         let block = work.place[i] as usize;
         if let Some(rect) = rect {
             let (x, y) = view.pixel_of(block);
-            inside = inside & lanes.within(rect, x, y);
+            outside = lanes.outside(rect, x, y, outside);
         }
         let z: f32x16<S> = ((lanes.x + work.fx[i]) * t.dz_dx + t.z0) + (lanes.y + work.fy[i]) * t.dz_dy;
-        sink.samples(s, block, inside, z, t.id);
+        sink.samples(s, block, outside.simd_ge(0), z, t.id);
         i += 1;
     }
     work.blocks = 0;
