@@ -324,6 +324,11 @@ impl PacketBatch {
         self.shared_by == id
     }
 
+    /// Other triangles come, which may have the same ids.
+    pub(crate) fn forget(&mut self) {
+        self.shared_by = 0;
+    }
+
     /// Empties the batch for more packets of the triangle that shares it.
     #[inline(always)]
     pub(crate) fn start_again(&mut self) {

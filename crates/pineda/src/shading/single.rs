@@ -172,10 +172,14 @@ impl Single {
                 let (x, y) = batch.places();
                 let (x, y) = (i32x16::simd_from(s, *x), i32x16::simd_from(s, *y));
                 let (lanes, firsts) = (BlockLanes::new(s), &Firsts::new(self, x, y));
-                match firsts.way {
-                    Way::Sum => self.weigh::<S, FULL, _>(s, layout, batch, list, &Sum::new(self, &lanes, firsts)),
-                    Way::Short => self.weigh::<S, FULL, _>(s, layout, batch, list, &Short::new(self, &lanes, x, y)),
-                    Way::Double => {
+                match firsts.arithmetic {
+                    Arithmetic::Sum => {
+                        self.weigh::<S, FULL, _>(s, layout, batch, list, &Sum::new(self, &lanes, firsts))
+                    }
+                    Arithmetic::Short => {
+                        self.weigh::<S, FULL, _>(s, layout, batch, list, &Short::new(self, &lanes, x, y))
+                    }
+                    Arithmetic::Double => {
                         self.weigh::<S, FULL, _>(s, layout, batch, list, &Double::new(s, self, &lanes, x, y));
                     }
                 }
@@ -263,7 +267,7 @@ trait Edges<S: Simd> {
 
 /// How they are computed.
 #[derive(Clone, Copy)]
-enum Way {
+enum Arithmetic {
     /// As above.
     Sum,
     /// In 32 bits.
@@ -274,7 +278,7 @@ enum Way {
 
 /// The edge functions at the first samples of sixteen blocks.
 struct Firsts {
-    way: Way,
+    arithmetic: Arithmetic,
     /// B of each edge and block, and F - B.
     base: [[f32; BATCH]; 3],
     rest: [[f32; BATCH]; 3],
@@ -308,14 +312,14 @@ impl Firsts {
             is_short &= nearest.abs().simd_lt(0.99 * SHORT - 1.01 * reach).to_bitmask() == 0xffff;
             k += 1;
         }
-        let way = if is_sum {
-            Way::Sum
+        let arithmetic = if is_sum {
+            Arithmetic::Sum
         } else if is_short {
-            Way::Short
+            Arithmetic::Short
         } else {
-            Way::Double
+            Arithmetic::Double
         };
-        Self { way, base, rest }
+        Self { arithmetic, base, rest }
     }
 }
 

@@ -122,6 +122,7 @@ impl Painter {
     /// Paints one tile after the other until none is left.
     pub(crate) fn paint_all(&mut self, painting: &Painting<'_>, queue: &TileQueue) {
         self.interpolator.forget();
+        self.batch.forget();
         let mut place = None;
         while let Some((column, row)) = queue.take(&mut place) {
             self.paint(painting, column, row);

@@ -80,15 +80,23 @@ impl Shader for InFullDerivatives {
 }
 
 /// The bits of what a shader draws.
-fn drawn<S: Shader<Vertex = Vertex>>(shader: &S, triangle: &[Vertex], state: DrawState, simd: Simd) -> Vec<[u32; 4]> {
+fn drawn<S: Shader<Vertex = Vertex>>(
+    shader: &S,
+    triangle: &[Vertex],
+    state: DrawState,
+    renderer: &mut Renderer,
+) -> Vec<[u32; 4]> {
     let mut color = vec![[0.0; 4]; (WIDTH * HEIGHT) as usize];
     let mut pass = Pass::new();
     pass.clear_color = Some([0.25, 0.5, 0.125, 1.0]);
     pass.draw(shader, Mesh { vertices: triangle, indices: Indices::Sequential }, state);
     let mut target = Target { color: ColorBuffer::Rgba32F(&mut color), ..Target::new(WIDTH, HEIGHT) };
-    let settings = Settings { simd, ..Settings::default() };
-    Renderer::new(settings).and_then(|mut renderer| renderer.render(&pass, &mut target)).expect("valid");
+    renderer.render(&pass, &mut target).expect("valid");
     color.into_iter().map(|pixel| pixel.map(f32::to_bits)).collect()
+}
+
+fn renderer(simd: Simd) -> Renderer {
+    Renderer::new(Settings { simd, threads: 1, ..Settings::default() }).expect("available")
 }
 
 /// A triangle that covers some of the picture, as a rule most of it.
@@ -116,16 +124,30 @@ fn triangle(random: &mut Random) -> Vec<Vertex> {
 fn a_large_triangle_has_the_bits_that_it_has_with_a_flat_varying() {
     let visible = DrawState { space: Space::Raster, ..DrawState::default() };
     let ordered = DrawState { depth: DepthState { compare: Compare::Always, write: false }, ..visible };
+    let mut renderers: Vec<_> = Simd::available().into_iter().map(|simd| (simd, renderer(simd))).collect();
     for seed in 0..if cfg!(debug_assertions) { 40 } else { 400 } {
         let triangle = triangle(&mut Random::new(seed ^ 0x1a26e));
-        let values = drawn(&InFull, &triangle, visible, Simd::Scalar);
-        let derivatives = drawn(&InFullDerivatives, &triangle, visible, Simd::Scalar);
+        let values = drawn(&InFull, &triangle, visible, &mut renderer(Simd::Scalar));
+        let derivatives = drawn(&InFullDerivatives, &triangle, visible, &mut renderer(Simd::Scalar));
         for state in [visible, ordered] {
-            for simd in Simd::available() {
-                assert!(values == drawn(&Quick, &triangle, state, simd), "seed {seed}: values at {simd}");
-                let found = drawn(&QuickDerivatives, &triangle, state, simd);
+            for (simd, renderer) in &mut renderers {
+                assert!(values == drawn(&Quick, &triangle, state, renderer), "seed {seed}: values at {simd}");
+                let found = drawn(&QuickDerivatives, &triangle, state, renderer);
                 assert!(derivatives == found, "seed {seed}: derivatives at {simd}");
             }
         }
+    }
+}
+
+/// What all packets of a triangle share is written to a batch once; the next picture's triangle has the same number.
+#[test]
+fn the_next_pictures_triangle_is_not_taken_for_the_last_ones() {
+    let state = DrawState { space: Space::Raster, ..DrawState::default() };
+    let mut renderer = renderer(Simd::Auto);
+    for value in [0.25, 0.75] {
+        let corner = |x, y| ([x, y, 0.5, 1.0], [value; 3]);
+        let triangle = [corner(-500.0, -500.0), corner(900.0, -500.0), corner(-500.0, 900.0)];
+        let color = [value, value, value, 1.0].map(f32::to_bits);
+        assert!(drawn(&Quick, &triangle, state, &mut renderer).contains(&color), "{value}");
     }
 }
