@@ -174,10 +174,10 @@ impl Single {
                 let (lanes, firsts) = (BlockLanes::new(s), &Firsts::new(self, x, y));
                 match firsts.arithmetic {
                     Arithmetic::Sum => {
-                        self.weigh::<S, FULL, _>(s, layout, batch, list, &Sum::new(self, &lanes, firsts))
+                        self.weigh::<S, FULL, _>(s, layout, batch, list, &Sum::new(self, &lanes, firsts));
                     }
                     Arithmetic::Short => {
-                        self.weigh::<S, FULL, _>(s, layout, batch, list, &Short::new(self, &lanes, x, y))
+                        self.weigh::<S, FULL, _>(s, layout, batch, list, &Short::new(self, &lanes, x, y));
                     }
                     Arithmetic::Double => {
                         self.weigh::<S, FULL, _>(s, layout, batch, list, &Double::new(s, self, &lanes, x, y));
