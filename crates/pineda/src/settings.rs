@@ -67,9 +67,10 @@ pub enum Simd {
     /// The best that this CPU has.
     #[default]
     Auto,
-    /// No vector instructions: plain Rust on arrays. Shaders are not compiled for it on x86-64 and ARM; their stages run at the baseline there.
+    /// No vector instructions: plain Rust on arrays, and none of the ways that are there for speed alone, so that the other levels have something to be compared with. Shaders are not compiled for it on
+    /// x86-64 and ARM; their stages run at the baseline there.
     Scalar,
-    /// x86-64's baseline.
+    /// x86-64's baseline, for CPUs of before 2008; none of the ways that are there for speed alone.
     Sse2,
     /// x86-64-v2. Shaders are not compiled for it either: they do without its rounding, selecting and multiplying.
     Sse4_2,

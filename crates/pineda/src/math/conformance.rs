@@ -1,4 +1,4 @@
-//! The functions of `math`, on every SIMD level that this CPU has, bit for bit against scalar code.
+//! The functions of `math`, on every SIMD level of this CPU that shaders are compiled for, bit for bit against scalar code.
 
 #![allow(
     clippy::excessive_precision,

@@ -45,7 +45,7 @@ pub(crate) enum Way {
     Two,
     Four,
     Eight,
-    /// One that is too large for the cache.
+    /// One that is too large for the cache, or is not in it.
     Large,
     /// Lane by lane.
     ByLane,

@@ -4,7 +4,7 @@
 //! its vertices' varyings are put together first, in one of four ways, and from there on the way no longer matters:
 //!
 //! - a *few* triangles, one to eight: their edge functions and varyings are made ready once while a tile shows them, and the lanes pick theirs;
-//! - one *large* triangle, whose edge functions do not fit 32 bits: many packets in a row, as a rule, which have a lot in common (see [`single`](super::single));
+//! - one *large* triangle, whose edge functions may not fit 32 bits: many packets in a row, as a rule, which have a lot in common (see [`single`](super::single));
 //! - *many*: each lane loads its own vertices; rows of eight words are turned round by shuffles;
 //! - *in full*: what is clipped, flat, or linear on the screen.
 //!
@@ -143,10 +143,13 @@ impl Interpolator {
             }
         }
         let mut large = ways.of(Way::Large);
-        while let Some(&first) = large.first() {
-            let id = |k: u8| TriangleId(distinct[k as usize & (BATCH - 1)].ids[0]);
-            let count = large.iter().take_while(|&&k| id(k) == id(first)).count();
-            single.prepare(run, layout, id(first));
+        while !large.is_empty() {
+            let id = distinct[large[0] as usize & (BATCH - 1)].ids[0];
+            let mut count = 1;
+            while count < large.len() && distinct[large[count] as usize & (BATCH - 1)].ids[0] == id {
+                count += 1;
+            }
+            single.prepare(run, layout, TriangleId(id));
             single.interpolate_listed::<S, FULL>(s, layout, batch, &large[..count]);
             large = &large[count..];
         }

@@ -10,7 +10,7 @@ use super::stencil::Tests;
 use super::visible_packets::VisiblePacket;
 use super::{__Row4 as Row4, OutputKind, StageUses};
 use crate::pass::draw_call::DrawCall;
-use crate::pass::{Blend, ColorMask, ColorState, DrawStatistics, Sampling};
+use crate::pass::{Blend, ColorMask, ColorState, Conservative, DrawStatistics, Sampling};
 use crate::raster::samples::SampleSet;
 use crate::raster::triangle_id::TriangleId;
 use crate::target::format::{Channels, ColorFormat, TileColor};
@@ -28,6 +28,26 @@ pub(crate) struct OrderedPacket {
     pub(crate) id: u32,
     pub(crate) block: u32,
     pub(crate) mask: u32,
+}
+
+/// A packet before it is in a batch.
+trait Shown {
+    /// The id of the triangle that it shows; 0 if it shows several.
+    fn triangle(&self) -> u32;
+}
+
+impl Shown for OrderedPacket {
+    #[inline(always)]
+    fn triangle(&self) -> u32 {
+        self.id
+    }
+}
+
+impl Shown for VisiblePacket {
+    #[inline(always)]
+    fn triangle(&self) -> u32 {
+        self.id
+    }
 }
 
 /// A draw, its run's vertices, and the tile that is shaded.
@@ -70,13 +90,23 @@ impl Shading<'_> {
     /// Whether packets of one triangle in a row are shaded in batches of their own.
     #[inline(always)]
     fn takes_singles<S: Simd>(&self, layout: &VaryingLayout) -> bool {
-        S::HAS_SHORTCUTS && layout.is_plain && self.run.strokes.is_none()
+        // Beyond a triangle, where overestimates reach, weights may be infinite, and what is constant at its corners is not.
+        let is_inside = self.call.state().conservative == Conservative::Off;
+        S::HAS_SHORTCUTS && layout.is_plain && is_inside && self.run.strokes.is_none()
     }
 
-    /// Whether packets begin with enough of one triangle: by the first one's, which is 0 if it shows several, and that of the last which it takes.
+    /// Whether packets begin with enough of one triangle, which is not clipped.
     #[inline(always)]
-    fn begins_with_one(&self, id: u32, last: Option<u32>) -> bool {
-        id != 0 && (self.batch.is_shared_by(id) || (last == Some(id) && !TriangleId(id).is_clipped()))
+    fn begins_with_one<P: Shown>(&self, packets: &[P]) -> bool {
+        let id = packets[0].triangle();
+        if id == 0 || TriangleId(id).is_clipped() {
+            return false;
+        }
+        let mut count = 1;
+        while count < LEAST_PACKETS.min(packets.len()) && packets[count].triangle() == id {
+            count += 1;
+        }
+        count == LEAST_PACKETS || self.batch.is_shared_by(id)
     }
 
     /// Runs the fragment stage over the batch.
@@ -140,8 +170,7 @@ pub(crate) fn shade_visible<S: Simd>(s: S, shading: &mut Shading<'_>, packets: &
     let takes_singles = shading.takes_singles::<S>(&layout);
     let mut first = 0;
     while first < packets.len() {
-        let last = packets.get(first + LEAST_PACKETS - 1).map(|packet| packet.id);
-        if takes_singles && shading.begins_with_one(packets[first].id, last) {
+        if takes_singles && shading.begins_with_one(&packets[first..]) {
             first += take_visible_of_one(shading, &layout, &packets[first..]);
             shading.interpolator.interpolate_one(s, &layout, shading.batch);
         } else {
@@ -216,8 +245,7 @@ pub(crate) fn shade_in_order<S: Simd>(s: S, shading: &mut Shading<'_>, packets: 
         && is_over(&state.color(0), shading.color.format);
     let mut first = 0;
     while first < packets.len() {
-        let last = packets.get(first + LEAST_PACKETS - 1).map(|packet| packet.id);
-        if takes_singles && shading.begins_with_one(packets[first].id, last) {
+        if takes_singles && shading.begins_with_one(&packets[first..]) {
             first += take_ordered_of_one(s, shading, &layout, &packets[first..]);
             shading.interpolator.interpolate_one(s, &layout, shading.batch);
             shading.run_fragments(s);

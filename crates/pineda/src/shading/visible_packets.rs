@@ -31,7 +31,7 @@ pub(crate) fn collect_visible<S: Simd>(
 ) {
     let blocks = view.side / 4;
     out.reserve((blocks * blocks) as usize);
-    // What the last block showed, if that was one triangle only.
+    // The last packet, which tells of which run its triangle is.
     let mut last = VisiblePacket { run: 0, block: 0, mask: 0, id: 0, x: 0, y: 0 };
     let mut by = 0;
     while by < blocks {

@@ -1,4 +1,4 @@
-//! Lanes look up what a single one does, at every SIMD level. What that is, `tests/textures.rs` judges.
+//! Lanes look up what a single one does, at every SIMD level that shaders are compiled for. What that is, `tests/textures.rs` judges.
 
 use super::*;
 use crate::lanes::conformance::shader_levels;

@@ -31,6 +31,18 @@ pub(crate) trait Sink<S: Simd> {
         false
     }
 
+    /// Whether all samples of the window from `block` on are sure to pass, by what is there.
+    #[inline(always)]
+    fn lets_all_pass(&self, _: S, _block: usize, _stride: usize, _depths: DepthRange) -> bool {
+        false
+    }
+
+    /// All samples of a block, which are sure to pass.
+    #[inline(always)]
+    fn passing(&mut self, s: S, block: usize, z: f32x16<S>, id: u32) {
+        self.samples(s, block, mask32x16::splat(s, true), z, id);
+    }
+
     /// A triangle whose depths lie in this range was drawn to every sample of a window.
     #[inline(always)]
     fn covered_window(&mut self, _window: Window, _depths: DepthRange) {}
@@ -198,6 +210,28 @@ impl<'a, T, const ID: bool> Visibility<'a, T, ID> {
     }
 }
 
+impl<T, const ID: bool> Visibility<'_, T, ID> {
+    /// The farthest and the nearest depth in each lane of a window's blocks.
+    #[inline(always)]
+    fn extremes<S: Simd>(&self, s: S, block: usize, stride: usize) -> (f32x16<S>, f32x16<S>) {
+        let first = i32x16::simd_from(s, self.tile_depth[block]);
+        let (mut farthest, mut nearest) = (first, first);
+        let mut row = 0;
+        while row < 4 {
+            let blocks = &self.tile_depth[block + row * stride..block + row * stride + 4];
+            let mut k = 0;
+            while k < 4 {
+                let there = i32x16::simd_from(s, blocks[k]);
+                farthest = farthest.max(there);
+                nearest = nearest.min(there);
+                k += 1;
+            }
+            row += 1;
+        }
+        (farthest.bitcast(), nearest.bitcast())
+    }
+}
+
 impl<S: Simd, T: DepthTest<S>, const ID: bool> Sink<S> for Visibility<'_, T, ID> {
     #[inline(always)]
     fn samples(&mut self, s: S, block: usize, inside: mask32x16<S>, z: f32x16<S>, id: u32) {
@@ -241,24 +275,34 @@ impl<S: Simd, T: DepthTest<S>, const ID: bool> Sink<S> for Visibility<'_, T, ID>
         if less && greater {
             return false;
         }
-        let first = i32x16::simd_from(s, self.tile_depth[block]);
-        let (mut farthest, mut nearest) = (first, first);
-        let mut row = 0;
-        while row < 4 {
-            let blocks = &self.tile_depth[block + row * stride..block + row * stride + 4];
-            let mut k = 0;
-            while k < 4 {
-                let there = i32x16::simd_from(s, blocks[k]);
-                farthest = farthest.max(there);
-                nearest = nearest.min(there);
-                k += 1;
-            }
-            row += 1;
-        }
-        let (farthest, nearest) = (farthest.bitcast::<f32x16<S>>(), nearest.bitcast::<f32x16<S>>());
+        let (farthest, nearest) = self.extremes(s, block, stride);
         let all = |mask: mask32x16<S>| mask.to_bitmask() == 0xffff;
         (!greater && all(if equal { farthest.simd_lt(depths.nearest) } else { farthest.simd_le(depths.nearest) }))
             || (!less && all(if equal { nearest.simd_gt(depths.farthest) } else { nearest.simd_ge(depths.farthest) }))
+    }
+
+    #[inline(always)]
+    fn lets_all_pass(&self, s: S, block: usize, stride: usize, depths: DepthRange) -> bool {
+        // The usual tests only: others count what passes, or take longer to say what they let pass.
+        if T::COUNTS {
+            return false;
+        }
+        let (farthest, nearest) = self.extremes(s, block, stride);
+        let [less, ..] = self.test.outcomes();
+        // As they are compared: clamped.
+        if less {
+            nearest.simd_gt(if depths.farthest > 0.0 { depths.farthest } else { 0.0 }).to_bitmask() == 0xffff
+        } else {
+            farthest.simd_lt(if depths.nearest < 1.0 { depths.nearest } else { 1.0 }).to_bitmask() == 0xffff
+        }
+    }
+
+    #[inline(always)]
+    fn passing(&mut self, s: S, block: usize, z: f32x16<S>, id: u32) {
+        self.tile_depth[block] = self.test.depths(s, z).into();
+        if ID {
+            self.tile_id[block] = u32x16::splat(s, id).into();
+        }
     }
 
     #[inline(always)]

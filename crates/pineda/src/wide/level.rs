@@ -26,13 +26,25 @@ pub trait Simd: fearless_simd::Simd {
     /// Runs code in a function of its own, which has the level's instructions. What is called there must be `#[inline(always)]`.
     #[inline(always)]
     fn apart<R>(self, run: impl FnOnce() -> R) -> R {
-        if Self::IS_BASELINE { here(run) } else { self.vectorize(run) }
+        if Self::IS_PLAIN {
+            in_plain_code(run)
+        } else if Self::IS_BASELINE {
+            vectorize_baseline(run)
+        } else {
+            self.vectorize(run)
+        }
     }
 }
 
-/// `fearless_simd`'s `vectorize`, where that need not change what the compiler may use, would be inlined, after it had been optimized by itself: twice the work.
+/// `fearless_simd`'s `vectorize` where the target has the level's instructions anyway. That one would be inlined after it was optimized by itself: twice the work. `cargo xtask asm` looks for the name.
 #[inline(never)]
-fn here<R>(run: impl FnOnce() -> R) -> R {
+fn vectorize_baseline<R>(run: impl FnOnce() -> R) -> R {
+    run()
+}
+
+/// The same for plain arrays, by another name.
+#[inline(never)]
+fn in_plain_code<R>(run: impl FnOnce() -> R) -> R {
     run()
 }
 

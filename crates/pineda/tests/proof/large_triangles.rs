@@ -99,6 +99,25 @@ fn renderer(simd: Simd) -> Renderer {
     Renderer::new(Settings { simd, threads: 1, ..Settings::default() }).expect("available")
 }
 
+/// Where an overestimate reaches beyond a triangle, all weights together may be 0, and then what is the same at all corners is a NaN there. It had been so only where packets were not interpolated many at a time.
+#[test]
+fn a_constant_beyond_a_triangle_is_the_same_at_every_level_and_tile_size() {
+    let triangle =
+        [([0.0, 1.0, 0.5, 1.0], [0.5; 3]), ([64.0, 1.0, 0.5, 1.0], [0.5; 3]), ([32.0, 0.75, 0.5, 2.0], [0.5; 3])];
+    let visible = DrawState { space: Space::Raster, conservative: Conservative::Overestimate, ..DrawState::default() };
+    let ordered = DrawState { depth: DepthState { compare: Compare::Always, write: false }, ..visible };
+    for state in [visible, ordered] {
+        let wanted = drawn(&Quick, &triangle, state, &mut renderer(Simd::Scalar));
+        assert!(f32::from_bits(wanted[20][0]).is_nan());
+        for simd in Simd::available() {
+            for tile in TileSize::ALL {
+                let mut renderer = Renderer::new(Settings { simd, tile, ..Settings::default() }).expect("available");
+                assert!(wanted == drawn(&Quick, &triangle, state, &mut renderer), "{simd}, {tile:?}");
+            }
+        }
+    }
+}
+
 /// A triangle that covers some of the picture, as a rule most of it.
 fn triangle(random: &mut Random) -> Vec<Vertex> {
     let reach = random.pick(&[70.0, 400.0, 2_000.0, 20_000.0]);
