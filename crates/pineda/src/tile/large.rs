@@ -114,7 +114,7 @@ pub(crate) fn large<S: Simd, K: Sink<S>>(
         let is_whole =
             is_inside_all && x0 <= wx_px && x1 >= wx_px + WINDOW - 1 && y0 <= wy_px && y1 >= wy_px + WINDOW - 1;
         if is_whole {
-            // In front of everything, as a layer over others is: less than half of the work, for a look that takes a tenth of it.
+            // In front of everything, as a layer over others is: no comparison, and nothing to be kept (6 % fewer instructions of full layers drawn back to front).
             if S::HAS_SHORTCUTS && sink.lets_all_pass(s, block, view.stride, depths) {
                 whole_window::<S, K, true>(s, t.0[0], &plane, block, view.stride, fx, fy, lanes, sink);
             } else {
