@@ -8,7 +8,7 @@ pub trait Simd: fearless_simd::Simd {
     const IS_BASELINE: bool = false;
     /// Whether lanes are elements of plain arrays.
     const IS_PLAIN: bool = false;
-    /// Whether ways are taken that are there for speed alone. Where they are not, half as much is to be compiled; and what the other levels draw is compared with what the general ways do.
+    /// Whether ways are taken that are there for speed alone. Where they are not, less is to be compiled; and what the other levels draw is compared with what the general ways do.
     const HAS_SHORTCUTS: bool = false;
     /// Whether a packet is two registers.
     const HAS_HALVES: bool = false;
