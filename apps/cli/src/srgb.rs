@@ -29,11 +29,13 @@ impl Srgb {
     }
 
     /// The light of a code, 0 to 1.
+    #[inline]
     pub(crate) fn decode(&self, code: u8) -> f32 {
         self.decoded[usize::from(code)]
     }
 
     /// The nearest code to a light, which is clamped to 0 to 1.
+    #[inline]
     pub(crate) fn encode(&self, light: f32) -> u8 {
         // A cast of NaN or of a negative number gives 0.
         let step = ((light * Self::STEPS as f32) as usize).min(Self::STEPS);

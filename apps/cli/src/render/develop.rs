@@ -76,7 +76,8 @@ fn paper(x: f32, y: f32) -> [f32; 3] {
     let distance_squared = dx * dx + dy * dy;
     // 1 in the middle, with a soft foot.
     let pool = 1.0 / (1.0 + 2.6 * distance_squared);
-    [0, 1, 2].map(|c| DARK[c] + (BRIGHT[c] - DARK[c]) * (pool * pool))
+    let channel = |c: usize| DARK[c] + (BRIGHT[c] - DARK[c]) * (pool * pool);
+    [channel(0), channel(1), channel(2)]
 }
 
 #[cfg(test)]

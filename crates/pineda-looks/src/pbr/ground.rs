@@ -57,7 +57,7 @@ impl Darkness<'_> {
             if (is_seen & there.z.gt(nearest.around(there.xy()))).any() {
                 // Softer where it is farther from what casts it, which is where it is farther from the middle.
                 let soft = away.length().smoothstep(0.15, 0.8);
-                let [sharp, blurred] = SOFTNESS.map(|softness| shadow.lit_within(place, softness));
+                let [sharp, blurred] = [shadow.lit_within(place, SOFTNESS[0]), shadow.lit_within(place, SOFTNESS[1])];
                 open *= 1.0 - 0.42 * (1.0 - sharp.mix(blurred, soft));
             }
         }

@@ -13,6 +13,7 @@ use crate::shading::{
     OutputLayout, Outputs, Shader, StageUses, Varyings, native,
 };
 use crate::wide::dispatch_shader;
+use bytemuck::must_cast_slice_mut;
 use fearless_simd::Level;
 use std::borrow::Borrow;
 
@@ -284,8 +285,8 @@ fn run_vertices<G: Input, V: Varyings<Scalar>, St: VertexStage<G::In, V>>(
             if St::CLIP_DISTANCES > 0 {
                 distances[k] = stage.clip_distances(vertex.borrow());
             }
-            let record = records[(at + k) * rows..(at + k + 1) * rows].as_flattened_mut();
-            varyings.write(bytemuck::cast_slice_mut(&mut record[RECORD_HEADER..]));
+            let record: &mut [u32] = must_cast_slice_mut(&mut records[(at + k) * rows..(at + k + 1) * rows]);
+            varyings.write(must_cast_slice_mut(&mut record[RECORD_HEADER..]));
             if St::POINT_COORD {
                 record[RECORD_HEADER + V::LEN..RECORD_HEADER + V::LEN + 2].fill(0);
             }

@@ -118,8 +118,8 @@ pub(crate) fn clipped(
     screen: &[ScreenVertex],
     share: &mut Share,
 ) -> Option<(Clipped, f32)> {
-    let vertices = places.map(|k| screen[k]);
-    let codes = vertices.map(ScreenVertex::outcode);
+    let vertices = [screen[places[0]], screen[places[1]], screen[places[2]]];
+    let codes = [vertices[0].outcode(), vertices[1].outcode(), vertices[2].outcode()];
     if (codes[0] | codes[1] | codes[2]) & outcode::NON_FINITE != 0 {
         share.statistics.non_finite += 1;
         return None;

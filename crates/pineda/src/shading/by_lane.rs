@@ -10,7 +10,7 @@ use crate::geometry::raster_space::{HALF_PIXEL, SUBPIXELS};
 use crate::raster::triangle_id::ORDER_BITS;
 use crate::tile::view::{BlockLanes, Positions};
 use crate::transpose::{columns4, each_of_sixteen};
-use crate::wide::{Simd, f32x16, i32x16, u32x4, u32x16};
+use crate::wide::{Simd, Words, f32x16, i32x16, u32x4, u32x16};
 
 /// A triangle for each lane: the places of its three vertices, in canonical order; and the first rows of their records.
 struct ByLane {
@@ -102,14 +102,14 @@ fn lane_by_lane<S: Simd, const FULL: bool>(
     let at = Positions::new(s, lanes, fragments.moved);
     let x = at.x + (fragments.x * SUBPIXELS + HALF_PIXEL);
     let y = at.y + (fragments.y * SUBPIXELS + HALF_PIXEL);
-    let [x0, x1, x2] = word(s, &corners, 0).map(u32x16::bitcast::<i32x16<S>>);
-    let [y0, y1, y2] = word(s, &corners, 1).map(u32x16::bitcast::<i32x16<S>>);
+    let [x0, x1, x2]: [i32x16<S>; 3] = word(s, &corners, 0);
+    let [y0, y1, y2]: [i32x16<S>; 3] = word(s, &corners, 1);
     let (mut vx, mut vy) = ([x0 - x, x1 - x, x2 - x], [y0 - y, y1 - y, y2 - y]);
     if fragments.border != 0 {
         let [ox, oy] = centroid_offsets_of_vertices(s, vx, vy, fragments.border, fragments.samples);
         (vx, vy) = ([vx[0] - ox, vx[1] - ox, vx[2] - ox], [vy[0] - oy, vy[1] - oy, vy[2] - oy]);
     }
-    let weights = of_lanes::<S, FULL>(vx, vy, word(s, &corners, 2).map(u32x16::bitcast));
+    let weights = of_lanes::<S, FULL>(vx, vy, word(s, &corners, 2));
     let both = Both::new::<FULL>(s, &weights, layout);
     let mut r = 0;
     while r < record_rows(varyings) {
@@ -121,7 +121,7 @@ fn lane_by_lane<S: Simd, const FULL: bool>(
             // Words before the varyings, or behind the last.
             let k = (8 * r + i).wrapping_sub(RECORD_HEADER);
             if k < varyings {
-                let [f0, f1, f2] = word(s, &corners, i).map(u32x16::bitcast::<f32x16<S>>);
+                let [f0, f1, f2]: [f32x16<S>; 3] = word(s, &corners, i);
                 both.set::<FULL>(layout, rows, k, Corner3 { f0, d1: f1 - f0, d2: f2 - f0 });
             }
             i += 1;
@@ -135,11 +135,11 @@ fn lane_by_lane<S: Simd, const FULL: bool>(
 
 /// Word `i` of the rows of all three vertices.
 #[inline(always)]
-fn word<S: Simd>(s: S, corners: &[[[u32; 16]; 8]; 3], i: usize) -> [u32x16<S>; 3] {
+fn word<S: Simd, W: Words<S>>(s: S, corners: &[[[u32; 16]; 8]; 3], i: usize) -> [W; 3] {
     [
-        u32x16::from_slice(s, &corners[0][i]),
-        u32x16::from_slice(s, &corners[1][i]),
-        u32x16::from_slice(s, &corners[2][i]),
+        u32x16::from_slice(s, &corners[0][i]).bitcast(),
+        u32x16::from_slice(s, &corners[1][i]).bitcast(),
+        u32x16::from_slice(s, &corners[2][i]).bitcast(),
     ]
 }
 

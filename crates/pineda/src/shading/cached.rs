@@ -7,6 +7,7 @@ use super::packet::VaryingLayout;
 use super::run::{RECORD_HEADER, RunView, record_rows};
 use crate::geometry::raster_space::{HALF_PIXEL, SUBPIXELS};
 use crate::raster::triangle_id::{ORDER_BITS, TriangleId};
+use bytemuck::{must_cast, must_cast_slice};
 
 /// Triangles that are kept at a time; a power of two. Tiles of 64 x 64 pixels seldom show more, but for triangles that are too small to be kept.
 const SLOTS: usize = 512;
@@ -91,10 +92,10 @@ impl TriangleCache {
         let each = record_rows(self.varyings);
         let places @ [a, b, c] = run.canonical_places(TriangleId(id));
         if let [row] = depth {
-            let [z0, d1, d2] = run.vertex_depths(places).map(f32::to_bits);
-            *row = [z0, d1, d2, 0];
+            let [z0, d1, d2] = run.vertex_depths(places);
+            *row = must_cast([z0, d1, d2, 0.0]);
         }
-        let record = |place: usize| run.records[place * each..(place + 1) * each].as_flattened();
+        let record = |place: usize| -> &[u32] { must_cast_slice(&run.records[place * each..(place + 1) * each]) };
         let (a, f0) = record(a).split_at(RECORD_HEADER);
         let (b, f1) = record(b).split_at(RECORD_HEADER);
         let (c, f2) = record(c).split_at(RECORD_HEADER);
@@ -110,9 +111,11 @@ impl TriangleCache {
         header[0] = edge([x[2], y[2]], [x[0], y[0]], area);
         header[1] = edge([x[0], y[0]], [x[1], y[1]], area);
         header[2] = [a[2], b[2], c[2], 0];
-        for (((row, &f0), &f1), &f2) in varyings.iter_mut().zip(f0).zip(f1).zip(f2) {
-            let (d1, d2) = (f32::from_bits(f1) - f32::from_bits(f0), f32::from_bits(f2) - f32::from_bits(f0));
-            *row = [f0, d1.to_bits(), d2.to_bits(), 0];
+        let count = varyings.len();
+        let (f0, f1, f2) = (&f0[..count], &f1[..count], &f2[..count]);
+        for (k, row) in varyings.iter_mut().enumerate() {
+            let first = f32::from_bits(f0[k]);
+            *row = must_cast([first, f32::from_bits(f1[k]) - first, f32::from_bits(f2[k]) - first, 0.0]);
         }
         self.ids[slot(id)] = id;
     }

@@ -8,7 +8,7 @@ use super::packet::{BATCH, PacketBatch, PacketRows, VaryingLayout};
 use super::weights::Weights;
 use crate::geometry::raster_space::SUBPIXELS;
 use crate::tile::view::{BlockLanes, Positions};
-use crate::wide::{Simd, i32x16, mask32x16, u32x4, u32x16};
+use crate::wide::{Simd, Words, i32x16, mask32x16, u32x4, u32x16};
 
 /// Packets of up to `N` triangles, all of them in the cache; with derivatives if `FULL`.
 #[inline(never)]
@@ -55,8 +55,8 @@ fn from_cache<S: Simd, const N: usize, const FULL: bool>(
     let pick = Pick::<S, N>::new(s, distinct);
     let at = Positions::new(s, lanes, fragments.moved);
     let (x, y) = (at.x + fragments.x * SUBPIXELS, at.y + fragments.y * SUBPIXELS);
-    let one = pick.row(s, &triangles, 0).map(u32x16::bitcast::<i32x16<S>>);
-    let two = pick.row(s, &triangles, 1).map(u32x16::bitcast::<i32x16<S>>);
+    let one: [i32x16<S>; 4] = pick.row(s, &triangles, 0);
+    let two: [i32x16<S>; 4] = pick.row(s, &triangles, 1);
     let mut e1 = (x * one[0] + y * one[1]) + one[2];
     let mut e2 = (x * two[0] + y * two[1]) + two[2];
     if fragments.border != 0 {
@@ -76,17 +76,17 @@ fn from_cache<S: Simd, const N: usize, const FULL: bool>(
         right = [(-one[0] - two[0]).to_float() * pixel, one[0].to_float() * pixel, two[0].to_float() * pixel];
         down = [(-one[1] - two[1]).to_float() * pixel, one[1].to_float() * pixel, two[1].to_float() * pixel];
     }
-    let weights = Weights::from_edges::<FULL>(edges, right, down, [w0.bitcast(), w1.bitcast(), w2.bitcast()]);
+    let weights = Weights::from_edges::<FULL>(edges, right, down, [w0, w1, w2]);
     let both = Both::new::<FULL>(s, &weights, layout);
     let mut k = 0;
     while k < layout.interpolation.len() {
         let [f0, d1, d2, _] = pick.row(s, &triangles, TRIANGLE_HEADER + k);
-        both.set::<FULL>(layout, rows, k, Corner3 { f0: f0.bitcast(), d1: d1.bitcast(), d2: d2.bitcast() });
+        both.set::<FULL>(layout, rows, k, Corner3 { f0, d1, d2 });
         k += 1;
     }
     if layout.depth {
-        let [z0, d1, d2, _] = pick.row(s, &triangles, TRIANGLE_HEADER + layout.interpolation.len());
-        *rows.z = weights.depth(s, Corner3 { f0: z0.bitcast(), d1: d1.bitcast(), d2: d2.bitcast() }).into();
+        let [f0, d1, d2, _] = pick.row(s, &triangles, TRIANGLE_HEADER + layout.interpolation.len());
+        *rows.z = weights.depth(s, Corner3 { f0, d1, d2 }).into();
     }
 }
 
@@ -119,7 +119,13 @@ impl<S: Simd, const N: usize> Pick<S, N> {
 
     /// Row `r` of each lane's triangle.
     #[inline(always)]
-    fn row(&self, s: S, triangles: &[&[[u32; 4]]; N], r: usize) -> [u32x16<S>; 4] {
+    fn row<W: Words<S>>(&self, s: S, triangles: &[&[[u32; 4]]; N], r: usize) -> [W; 4] {
+        let [a, b, c, d] = self.words(s, triangles, r);
+        [a.bitcast(), b.bitcast(), c.bitcast(), d.bitcast()]
+    }
+
+    #[inline(always)]
+    fn words(&self, s: S, triangles: &[&[[u32; 4]]; N], r: usize) -> [u32x16<S>; 4] {
         if N >= 4 && (S::CAN_PICK || S::CAN_PICK_IN_FOURS) {
             let mut row = self.row_of_four(s, triangles, r, 0);
             if N > 4 {

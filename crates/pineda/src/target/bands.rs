@@ -151,12 +151,14 @@ impl TileRows {
     ) {
         for (row, pixels) in self.rows_of(band).enumerate() {
             let (whole, rest) = pixels.as_chunks_mut::<4>();
-            let samples = source[blocks(row / 4)..].iter().map(|block| &block.as_chunks::<4>().0[row % 4]);
-            for (four, samples) in whole.iter_mut().zip(samples.clone()) {
-                *four = samples.map(&convert);
+            let (first, source) = (row % 4 * 4, &source[blocks(row / 4)..]);
+            let (blocks, more) = source.split_at(whole.len());
+            for (k, four) in whole.iter_mut().enumerate() {
+                let [a, b, c, d] = blocks[k].as_chunks::<4>().0[row % 4];
+                *four = [convert(a), convert(b), convert(c), convert(d)];
             }
-            for (to, &from) in rest.iter_mut().zip(samples.skip(whole.len()).flatten()) {
-                *to = convert(from);
+            for (k, to) in rest.iter_mut().enumerate() {
+                *to = convert(more[0][first + k]);
             }
         }
     }

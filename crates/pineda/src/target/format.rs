@@ -5,6 +5,7 @@ use super::srgb::SRGB;
 use crate::pass::ColorMask;
 use crate::shading::OutputKind;
 use crate::wide::{Simd, f32x16, i32x16, mask32x16, u32x16};
+use bytemuck::must_cast;
 
 /// A format of [`ColorBuffer`](super::ColorBuffer): how a channel is stored, and how many there are: 1, 2 or 4.
 ///
@@ -58,14 +59,23 @@ impl ColorFormat {
         };
         let [r, g, b, a] = color;
         match self {
-            Self::Unorm8(channels) => bytes(only(channels, color.map(|c| unorm8(c).into()))),
-            Self::Srgb8(channels) => {
-                let [r, g, b] = [r, g, b].map(|c| SRGB.encode(c).into());
-                bytes(only(channels, [r, g, b, unorm8(a).into()]))
+            Self::Unorm8(channels) => {
+                let code = |x| u32::from(unorm8(x));
+                bytes(only(channels, [code(r), code(g), code(b), code(a)]))
             }
-            Self::Unorm16(channels) => halves(only(channels, color.map(|c| unorm16(c).into()))),
-            Self::Half(channels) => halves(only(channels, color.map(|c| f32_to_f16(c).into()))),
-            Self::Float(channels) => only(channels, color.map(f32::to_bits)),
+            Self::Srgb8(channels) => {
+                let code = |x| u32::from(SRGB.encode(x));
+                bytes(only(channels, [code(r), code(g), code(b), unorm8(a).into()]))
+            }
+            Self::Unorm16(channels) => {
+                let code = |x| u32::from(unorm16(x));
+                halves(only(channels, [code(r), code(g), code(b), code(a)]))
+            }
+            Self::Half(channels) => {
+                let code = |x| u32::from(f32_to_f16(x));
+                halves(only(channels, [code(r), code(g), code(b), code(a)]))
+            }
+            Self::Float(channels) => only(channels, must_cast(color)),
             Self::None | Self::Uint(_) | Self::Int(_) => [0; 4],
         }
     }
@@ -441,7 +451,11 @@ fn encode_srgb_words(r: &[f32; 16], g: &[f32; 16], b: &[f32; 16]) -> [u32; 16] {
 #[inline(never)]
 fn encode_srgb_word(channel: &[f32; 16]) -> [u32; 16] {
     let srgb = &*SRGB;
-    channel.map(|c| srgb.encode(c).into())
+    let mut words = [0; 16];
+    for k in 0..16 {
+        words[k] = srgb.encode(channel[k]).into();
+    }
+    words
 }
 
 /// The linear values of the three low bytes.

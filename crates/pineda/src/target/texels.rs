@@ -4,6 +4,7 @@ use super::ColorBuffer;
 use super::bands::TileRows;
 use super::color::with_pixels;
 use super::format::TileColor;
+use bytemuck::must_cast;
 
 /// A pixel as words: see [`ColorFormat`](super::format::ColorFormat).
 pub(crate) trait Texel: Copy {
@@ -40,13 +41,13 @@ texels! {
         |w| [w[0] as u16, (w[0] >> 16) as u16, w[1] as u16, (w[1] >> 16) as u16];
     f32: 1, |p| [p.to_bits(), 0, 0, 0], |w| f32::from_bits(w[0]);
     [f32; 2]: 2, |p| [p[0].to_bits(), p[1].to_bits(), 0, 0], |w| [f32::from_bits(w[0]), f32::from_bits(w[1])];
-    [f32; 4]: 4, |p| p.map(f32::to_bits), |w| w.map(f32::from_bits);
+    [f32; 4]: 4, |p| must_cast(p), |w| must_cast(w);
     u32: 1, |p| [p, 0, 0, 0], |w| w[0];
     [u32; 2]: 2, |p| [p[0], p[1], 0, 0], |w| [w[0], w[1]];
     [u32; 4]: 4, |p| p, |w| w;
     i32: 1, |p| [p as u32, 0, 0, 0], |w| w[0] as i32;
     [i32; 2]: 2, |p| [p[0] as u32, p[1] as u32, 0, 0], |w| [w[0] as i32, w[1] as i32];
-    [i32; 4]: 4, |p| p.map(|channel| channel as u32), |w| w.map(|word| word as i32);
+    [i32; 4]: 4, |p| must_cast(p), |w| must_cast(w);
 }
 
 #[inline(always)]
@@ -78,8 +79,9 @@ fn load<T: Texel>(rows: &TileRows, pixels: &mut [T], words: &mut [[u32; 16]], bl
     rows.for_each(pixels, blocks, |piece, block, first| {
         let words = &mut words[T::WORDS * block..T::WORDS * (block + 1)];
         for (k, pixel) in piece.iter().enumerate() {
-            for (to, word) in words.iter_mut().zip(pixel.to_words()) {
-                to[first + k] = word;
+            let of_pixel = pixel.to_words();
+            for word in 0..T::WORDS {
+                words[word][first + k] = of_pixel[word];
             }
         }
     });
@@ -93,8 +95,8 @@ fn store<T: Texel>(rows: &TileRows, pixels: &mut [T], words: &[[u32; 16]], block
         let words = &words[T::WORDS * block..T::WORDS * (block + 1)];
         for (k, pixel) in piece.iter_mut().enumerate() {
             let mut of_pixel = [0; 4];
-            for (to, word) in of_pixel.iter_mut().zip(words) {
-                *to = word[first + k];
+            for word in 0..T::WORDS {
+                of_pixel[word] = words[word][first + k];
             }
             *pixel = T::from_words(of_pixel);
         }

@@ -9,7 +9,7 @@ use crate::math::{Bool, Int, Real, Rgba, RgbaI, RgbaU, Uint};
 use crate::target::format::{ColorFormat, PART_OF_255, PART_OF_65535, REST_OF_255, REST_OF_65535};
 use crate::target::half::{REBIAS, SMALLEST_NORMAL, SPECIAL};
 use crate::target::srgb::SRGB;
-use bytemuck::Pod;
+use bytemuck::{Pod, must_cast};
 use core::fmt::Debug;
 
 pub(super) mod sealed {
@@ -78,9 +78,11 @@ pub(super) fn decoded<F: TextureFormat>() -> &'static Decoded {
 }
 
 /// A texel's numbers in linear light, complete.
+#[inline]
 pub(super) fn numbers<F: Filterable>(texel: F::Texel, decoded: &Decoded) -> [f32; 4] {
-    let words = F::words(texel, decoded).map(u32::cast_signed);
-    F::scaled::<Scalar>(F::channels::<Scalar>(words)).map(f32::from)
+    let words = must_cast(F::words(texel, decoded));
+    let [r, g, b, a] = F::scaled::<Scalar>(F::channels::<Scalar>(words));
+    [r.into(), g.into(), b.into(), a.into()]
 }
 
 /// Byte `k` of each lane, as a number.
@@ -138,6 +140,7 @@ macro_rules! arrays {
             fn array(self) -> [$channel; 4] {
                 [self, Default::default(), Default::default(), Default::default()]
             }
+            #[inline(always)]
             fn texel([r, ..]: [$channel; 4]) -> Self {
                 r
             }
@@ -147,6 +150,7 @@ macro_rules! arrays {
             fn array(self) -> [$channel; 4] {
                 [self[0], self[1], Default::default(), Default::default()]
             }
+            #[inline(always)]
             fn texel([r, g, ..]: [$channel; 4]) -> Self {
                 [r, g]
             }
@@ -156,6 +160,7 @@ macro_rules! arrays {
             fn array(self) -> [$channel; 4] {
                 self
             }
+            #[inline(always)]
             fn texel(channels: [$channel; 4]) -> Self {
                 channels
             }
@@ -218,6 +223,7 @@ macro_rules! formats {
             fn scaled<L: Lanes>([r, g, b, a]: [Real<L>; 4]) -> [Real<L>; 4] {
                 complete($count, [over_255(r), over_255(g), over_255(b), over_255(a)])
             }
+            #[inline]
             fn nearest(numbers: [f32; 4]) -> $texel {
                 Array::<u8>::texel(ColorFormat::Unorm8($count).encoded(numbers)[0].to_le_bytes())
             }
@@ -249,6 +255,7 @@ macro_rules! formats {
             fn scaled<L: Lanes>([r, g, b, a]: [Real<L>; 4]) -> [Real<L>; 4] {
                 complete($count, [r, g, b, over_255(a)])
             }
+            #[inline]
             fn nearest(numbers: [f32; 4]) -> $texel {
                 Array::<u8>::texel(ColorFormat::Srgb8($count).encoded(numbers)[0].to_le_bytes())
             }
@@ -261,8 +268,8 @@ macro_rules! formats {
             formats!(@float);
             #[inline(always)]
             fn words(texel: $texel, _: &Decoded) -> [u32; 4] {
-                let [r, g, b, a] = texel.array().map(u32::from);
-                [r | g << 16, b | a << 16, 0, 0]
+                let [r, g, b, a] = texel.array();
+                [u32::from(r) | u32::from(g) << 16, u32::from(b) | u32::from(a) << 16, 0, 0]
             }
         }
         impl Filterable for $name {
@@ -284,6 +291,7 @@ macro_rules! formats {
             fn scaled_code<L: Lanes>([r, ..]: [Real<L>; 4]) -> Real<L> {
                 r * PART_OF_65535 + r * REST_OF_65535
             }
+            #[inline]
             fn nearest(numbers: [f32; 4]) -> $texel {
                 let [low, high, ..] = ColorFormat::Unorm16($count).encoded(numbers);
                 Array::<u16>::texel([low as u16, (low >> 16) as u16, high as u16, (high >> 16) as u16])
@@ -297,8 +305,8 @@ macro_rules! formats {
             formats!(@float);
             #[inline(always)]
             fn words(texel: $texel, _: &Decoded) -> [u32; 4] {
-                let [r, g, b, a] = texel.array().map(u32::from);
-                [r | g << 16, b | a << 16, 0, 0]
+                let [r, g, b, a] = texel.array();
+                [u32::from(r) | u32::from(g) << 16, u32::from(b) | u32::from(a) << 16, 0, 0]
             }
         }
         impl Filterable for $name {
@@ -316,6 +324,7 @@ macro_rules! formats {
             fn scaled<L: Lanes>(channels: [Real<L>; 4]) -> [Real<L>; 4] {
                 complete($count, channels)
             }
+            #[inline]
             fn nearest(numbers: [f32; 4]) -> $texel {
                 let [low, high, ..] = ColorFormat::Half($count).encoded(numbers);
                 Array::<u16>::texel([low as u16, (low >> 16) as u16, high as u16, (high >> 16) as u16])
@@ -329,7 +338,7 @@ macro_rules! formats {
             formats!(@float);
             #[inline(always)]
             fn words(texel: $texel, _: &Decoded) -> [u32; 4] {
-                texel.array().map(f32::to_bits)
+                must_cast(texel.array())
             }
         }
         impl Filterable for $name {
@@ -342,6 +351,7 @@ macro_rules! formats {
             fn scaled<L: Lanes>(channels: [Real<L>; 4]) -> [Real<L>; 4] {
                 complete($count, channels)
             }
+            #[inline]
             fn nearest(numbers: [f32; 4]) -> $texel {
                 Array::<f32>::texel(numbers)
             }
@@ -357,7 +367,7 @@ macro_rules! formats {
             type Color<L: Lanes> = $color<L>;
             #[inline(always)]
             fn words(texel: $texel, _: &Decoded) -> [u32; 4] {
-                texel.array().map(|channel| channel as u32)
+                must_cast(texel.array())
             }
             #[inline(always)]
             fn color<L: Lanes>(words: [L::I; 4], inside: L::M) -> $color<L> {

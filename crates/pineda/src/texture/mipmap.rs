@@ -73,13 +73,13 @@ fn halve<const BY_ALPHA: bool>(from: Extent, to: Extent, out: &mut Vec<[f32; 4]>
                     for (dy, &weight_y) in weights_y[..count_y].iter().enumerate() {
                         let row = ((first_z as usize + dz) * height + first_y as usize + dy) * width + first_x as usize;
                         for (dx, &weight_x) in weights_x[..count_x].iter().enumerate() {
-                            let (color, weight) = (texel(row + dx).map(f64::from), weight_z * weight_y * weight_x);
+                            let (color, weight) = (texel(row + dx), weight_z * weight_y * weight_x);
                             for (sum, channel) in plain.iter_mut().zip(color) {
-                                *sum += weight * channel;
+                                *sum += weight * f64::from(channel);
                             }
                             if BY_ALPHA {
                                 for (sum, channel) in by_alpha.iter_mut().zip(color) {
-                                    *sum += weight * color[3] * channel;
+                                    *sum += weight * f64::from(color[3]) * f64::from(channel);
                                 }
                             }
                         }
@@ -87,9 +87,9 @@ fn halve<const BY_ALPHA: bool>(from: Extent, to: Extent, out: &mut Vec<[f32; 4]>
                 }
                 let alpha = plain[3];
                 if BY_ALPHA && alpha > 0.0 {
-                    plain[..3].copy_from_slice(&by_alpha.map(|sum| sum / alpha));
+                    plain[..3].copy_from_slice(&[by_alpha[0] / alpha, by_alpha[1] / alpha, by_alpha[2] / alpha]);
                 }
-                out.push(plain.map(|channel| channel as f32));
+                out.push(rounded(plain));
             }
         }
     }
@@ -109,8 +109,13 @@ fn halve_rows(
                 *sum += 0.25 * f64::from(channel);
             }
         }
-        sums.map(|sum: f64| sum as f32)
+        rounded(sums)
     }));
+}
+
+#[inline(always)]
+fn rounded([r, g, b, a]: [f64; 4]) -> [f32; 4] {
+    [r as f32, g as f32, b as f32, a as f32]
 }
 
 #[cfg(test)]

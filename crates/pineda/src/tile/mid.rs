@@ -82,9 +82,8 @@ pub(crate) fn mid<S: Simd, K: Sink<S>>(
     let (column, row) = ((x0 + tile_x - first_x) * 4, (y0 + tile_y - first_y) * 4);
 
     let steps = [steps(t.0[11]), steps(t.0[12]), steps(t.0[13])];
-    let mut waiting = Waiting { id: t.0[0], ..Waiting::default() };
-    let plane = DepthPlane::unpack(&t.0);
-    (waiting.z0, waiting.dz_dx, waiting.dz_dy) = (plane.z0, plane.dz_dx, plane.dz_dy);
+    let DepthPlane { z0, dz_dx, dz_dy } = DepthPlane::unpack(&t.0);
+    let mut waiting = Waiting { samples: [[0; 16]; 3], z0, dz_dx, dz_dy, id: t.0[0] };
     // Over the blocks of the first window: edge functions at their first samples, and by how much they grow at most from there.
     let mut edges = [i32x16::splat(s, 0); 3];
     let mut growth = [0; 3];

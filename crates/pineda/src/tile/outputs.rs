@@ -327,8 +327,9 @@ fn coordinates_at<S: Simd>(
         let (weights, order, _) = of_clipped(s, run, position, id, x, y, at);
         (weights, order)
     } else {
-        let order = ORDERS[id.order_code() as usize & 7].map(usize::from);
-        let places = order.map(|k| submitted[k]);
+        let [a, b, c] = ORDERS[id.order_code() as usize & 7];
+        let order = [usize::from(a), usize::from(b), usize::from(c)];
+        let places = [submitted[order[0]], submitted[order[1]], submitted[order[2]]];
         (of_triangle(s, run, rows, places, x, y, at), order)
     };
     coordinates(s, run, id, &weights.perspective, order)

@@ -137,7 +137,8 @@ impl<S: Simd> DepthTest<S> for AnyTest {
     #[inline(always)]
     fn range(&self, depths: DepthRange) -> DepthRange {
         // Clamping and rounding are monotone.
-        let [low, high] = [self.rule.low, self.rule.high].map(|bits| f32::from_bits(bits as u32));
+        let low = f32::from_bits(self.rule.low as u32);
+        let high = f32::from_bits(self.rule.high as u32);
         let bounded = |z: f32| {
             self.format.rounded(if z < low {
                 low

@@ -26,4 +26,4 @@ mod mask;
 pub(crate) use float::{f32x16, f64x8, f64x16};
 pub(crate) use int::{i32x16, i64x8, u32x4, u32x8, u32x16};
 pub(crate) use level::{Simd, dispatch, dispatch_shader};
-pub(crate) use mask::mask32x16;
+pub(crate) use mask::{Words, mask32x16};
