@@ -24,7 +24,7 @@ pub(crate) fn coordinates<S: Simd>(
     let sum = (a + b) + c;
     let values = [one_nan(s, a / sum).into(), one_nan(s, b / sum).into(), one_nan(s, c / sum).into()];
     let (values, vertices) = match &run.strokes {
-        None => (values, order.map(|corner| run.submitted(corner))),
+        None => (values, [run.submitted(order[0]), run.submitted(order[1]), run.submitted(order[2])]),
         Some(strokes) => strokes.coordinates(id.number() - run.first_number, values, order),
     };
     let mut of_vertices = [[0.0; 16]; 3];

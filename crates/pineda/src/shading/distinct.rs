@@ -173,13 +173,14 @@ fn has_five(ids: &[u32; 16]) -> bool {
 }
 
 /// The packets of a batch, sorted by the way in which they are interpolated.
-#[derive(Default)]
 pub(crate) struct Ways {
     packets: [[u8; BATCH]; 7],
     counts: [usize; 7],
 }
 
 impl Ways {
+    pub(crate) const NONE: Self = Self { packets: [[0; BATCH]; 7], counts: [0; 7] };
+
     #[inline(always)]
     pub(crate) fn add(&mut self, way: Way, packet: usize) {
         let count = &mut self.counts[way as usize];

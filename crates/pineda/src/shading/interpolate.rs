@@ -95,7 +95,7 @@ impl Interpolator {
             self.distinct[k & (BATCH - 1)].prepare(run, &mut self.cache);
             k += 1;
         }
-        let mut ways = Ways::default();
+        let mut ways = Ways::NONE;
         let mut k = 0;
         while k < batch.len() {
             let distinct = &mut self.distinct[k & (BATCH - 1)];

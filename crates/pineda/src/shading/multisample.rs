@@ -20,7 +20,7 @@ use crate::wide::{Simd, f32x16, i32x16, mask32x16, u32x16};
 
 /// Fragments of several blocks of the tile, put together to a full packet: most pixels show one triangle, and packets of what else they show would have few
 /// lanes each.
-#[derive(Clone, Copy, Default)]
+#[derive(Clone, Copy)]
 struct Gathered {
     ids: [u32; 16],
     /// Of each fragment the first sample's block, and the lane there.
@@ -29,6 +29,8 @@ struct Gathered {
 }
 
 impl Gathered {
+    const NONE: Self = Self { ids: [0; 16], places: [(0, 0); 16], count: 0 };
+
     /// Takes fragments out of `rest` until it is full.
     #[inline(always)]
     fn take(&mut self, packet: &SamplePacket, rest: &mut u32) {
@@ -77,7 +79,7 @@ pub(crate) fn shade_visible_samples<S: Simd>(s: S, shading: &mut Shading<'_>, pa
     shading.interpolator.start(shading.run, &layout);
     // Lanes of several blocks go together where nothing is computed from the block.
     let can_gather = layout.depth && layout.is_plain && shading.run.strokes.is_none();
-    let (mut gathered, mut rest, mut next) = (Gathered::default(), 0, 0);
+    let (mut gathered, mut rest, mut next) = (Gathered::NONE, 0, 0);
     loop {
         shading.batch.start(&layout, shading.run.front_is_clockwise);
         let mut places = [None; BATCH];
@@ -254,7 +256,7 @@ pub(crate) fn shade_samples_in_order<S: Simd>(s: S, shading: &mut Shading<'_>, p
     while !rest.is_empty() {
         shading.batch.start(&layout, shading.run.front_is_clockwise);
         // The packets of each group in the batch.
-        let mut groups: [&mut [OrderedPacket]; BATCH] = Default::default();
+        let mut groups: [&[OrderedPacket]; BATCH] = [&[]; BATCH];
         while let (Some(first), true) = (rest.first(), shading.batch.len() < BATCH) {
             let (id, block) = (first.id, part(first.block));
             // What an earlier packet of the batch is about to change must not be tested yet.
@@ -317,7 +319,7 @@ fn own_depths<S: Simd>(s: S, group: &[OrderedPacket]) -> [i32; 16] {
 
 /// Brings the colours of a batch into the samples that passed.
 #[inline(always)]
-fn merge<S: Simd>(s: S, shading: &mut Shading<'_>, groups: &[&mut [OrderedPacket]; BATCH], is_late: bool) {
+fn merge<S: Simd>(s: S, shading: &mut Shading<'_>, groups: &[&[OrderedPacket]; BATCH], is_late: bool) {
     let (state, samples) = (shading.call.state(), shading.view.samples.count());
     let tests = Tests { state, front_is_clockwise: shading.run.front_is_clockwise };
     let first = state.color(0);
@@ -335,7 +337,7 @@ fn merge<S: Simd>(s: S, shading: &mut Shading<'_>, groups: &[&mut [OrderedPacket
         // Only a target with one colour buffer is blended with a second source.
         let second = if more.is_empty() { &packet.color } else { &more[0] };
         let mut count = 0;
-        for ordered in &*groups[i] {
+        for ordered in groups[i] {
             let block = ordered.block as usize;
             let mut depth = &ordered.depth;
             let mut alive = mask32x16::from_bitmask(s, u64::from(packet.alive & ordered.mask));

@@ -241,7 +241,8 @@ impl TileColor {
     ) {
         let there = u32x16::simd_from(s, self.words[block]);
         if written != [true; 4] {
-            let bytes = u32::from_le_bytes(written.map(|written| if written { 255 } else { 0 }));
+            let [r, g, b, a] = written;
+            let bytes = u32::from_le_bytes([r.into(), g.into(), b.into(), a.into()]) * 255;
             packed = (packed & bytes) | (there & !bytes);
         }
         self.words[block] = mask.select(packed, there).into();
