@@ -124,6 +124,7 @@ impl<S: Simd, const N: usize> Pick<S, N> {
         [a.bitcast(), b.bitcast(), c.bitcast(), d.bitcast()]
     }
 
+    /// The same, as integers.
     #[inline(always)]
     fn words(&self, s: S, triangles: &[&[[u32; 4]]; N], r: usize) -> [u32x16<S>; 4] {
         if N >= 4 && (S::CAN_PICK || S::CAN_PICK_IN_FOURS) {

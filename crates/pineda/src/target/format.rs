@@ -59,26 +59,23 @@ impl ColorFormat {
         };
         let [r, g, b, a] = color;
         match self {
-            Self::Unorm8(channels) => {
-                let code = |x| u32::from(unorm8(x));
-                bytes(only(channels, [code(r), code(g), code(b), code(a)]))
-            }
+            Self::Unorm8(channels) => bytes(only(channels, each(color, unorm8))),
             Self::Srgb8(channels) => {
                 let code = |x| u32::from(SRGB.encode(x));
                 bytes(only(channels, [code(r), code(g), code(b), unorm8(a).into()]))
             }
-            Self::Unorm16(channels) => {
-                let code = |x| u32::from(unorm16(x));
-                halves(only(channels, [code(r), code(g), code(b), code(a)]))
-            }
-            Self::Half(channels) => {
-                let code = |x| u32::from(f32_to_f16(x));
-                halves(only(channels, [code(r), code(g), code(b), code(a)]))
-            }
+            Self::Unorm16(channels) => halves(only(channels, each(color, unorm16))),
+            Self::Half(channels) => halves(only(channels, each(color, f32_to_f16))),
             Self::Float(channels) => only(channels, must_cast(color)),
             Self::None | Self::Uint(_) | Self::Int(_) => [0; 4],
         }
     }
+}
+
+/// A colour's codes.
+#[inline(always)]
+fn each<C: Into<u32>>([r, g, b, a]: [f32; 4], code: impl Fn(f32) -> C) -> [u32; 4] {
+    [code(r).into(), code(g).into(), code(b).into(), code(a).into()]
 }
 
 fn bytes([r, g, b, a]: [u32; 4]) -> [u32; 4] {
