@@ -106,15 +106,18 @@ fn lit_from(light: &Light, origin: [f64; 3], unit: f64) -> Light {
 
 fn vertices(object: &Object, place: impl Fn(f64, usize) -> f32, eye: [f32; 3]) -> Vec<Vertex> {
     let none: &[[f32; 2]] = &[];
-    let uvs = [0, 1].map(|set| object.uvs.get(set).map_or(none, |set| set));
+    let uvs = |set: usize| object.uvs.get(set).map_or(none, |set| set);
+    let uvs = [uvs(0), uvs(1)];
     let vertex = |(k, vertex): (usize, &pineda_scene::Vertex)| {
-        let position = [0, 1, 2].map(|axis| place(vertex.position[axis].into(), axis));
+        let place = |axis: usize| place(vertex.position[axis].into(), axis);
+        let uv = |set: usize| uvs[set].get(k).copied().unwrap_or_default();
+        let position = [place(0), place(1), place(2)];
         Vertex {
             position,
             // Lines and points without normals turn to whoever looks at them.
             normal: if vertex.normal == [0.0; 3] { towards(position, eye) } else { vertex.normal },
             tangent: object.tangents.get(k).copied().unwrap_or_default(),
-            uvs: uvs.map(|set| set.get(k).copied().unwrap_or_default()),
+            uvs: [uv(0), uv(1)],
             color: vertex.color,
         }
     };

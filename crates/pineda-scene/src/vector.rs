@@ -2,8 +2,14 @@
 
 pub(crate) type Vec3 = [f64; 3];
 
+/// Each component by itself: `array::map`, which is a call where the compiler does not optimize across codegen units.
+#[inline]
+pub(crate) fn each<A: Copy, B>(v: [A; 3], f: impl Fn(A) -> B) -> [B; 3] {
+    [f(v[0]), f(v[1]), f(v[2])]
+}
+
 pub(crate) fn widen(v: [f32; 3]) -> Vec3 {
-    v.map(f64::from)
+    each(v, f64::from)
 }
 
 pub(crate) fn add(a: Vec3, b: Vec3) -> Vec3 {
@@ -38,14 +44,14 @@ pub(crate) fn normalize(a: Vec3) -> Option<Vec3> {
     if largest == 0.0 || !a.iter().all(|c| c.is_finite()) {
         return None;
     }
-    let a = a.map(|c| c / largest);
+    let a = each(a, |c| c / largest);
     let length = length(a);
-    Some(a.map(|c| c / length))
+    Some(each(a, |c| c / length))
 }
 
 /// `a` at length 1 and rounded once; `[0.0; 3]` for a vector without a direction.
 pub(crate) fn unit_or_zero(a: Vec3) -> [f32; 3] {
-    normalize(a).map_or([0.0; 3], |n| n.map(|c| c as f32))
+    normalize(a).map_or([0.0; 3], |n| each(n, |c| c as f32))
 }
 
 /// Twice the area times the unit normal of the triangle a, b, c; counter-clockwise is towards the viewer.

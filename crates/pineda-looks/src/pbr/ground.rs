@@ -10,7 +10,7 @@ use super::shadow::{self, Shadow};
 use crate::stage::Stage;
 use pineda::{
     ColorBuffer, Compare, DepthBias, DepthState, DrawState, Error, Lanes, Mat4, R32F, Real, Renderer, Rgba, Sampler,
-    Target, Texture2d, Vec2, Vec3, Wrap, shader,
+    Target, Texture2d, Vec2, Vec3, Viewport, Wrap, shader,
 };
 
 /// Texels of both maps, across and down.
@@ -133,11 +133,12 @@ impl Ground {
         Paint::Cast(Cast { ground: self })
     }
 
-    pub(super) fn state() -> DrawState {
+    /// For the first draw of a cleared picture, where replacing is blending. It stays behind all that is drawn later, and what that hides is never shaded.
+    pub(super) fn state([width, height]: [u32; 2]) -> DrawState {
         DrawState {
-            blend: pineda::Blend::PREMULTIPLIED,
-            // It reaches beyond the camera's far plane, where depths are 1 as they are where nothing is.
-            depth: DepthState { write: false, compare: Compare::LessEqual },
+            viewport: Some(Viewport { min_depth: 1.0, ..Viewport::whole(width, height) }),
+            depth: DepthState { compare: Compare::LessEqual, ..DepthState::default() },
+            // It reaches beyond the camera's far plane.
             depth_clamp: true,
             ..DrawState::default()
         }

@@ -181,10 +181,10 @@ pub fn draw(
     let floor = ground.as_ref().map(|ground| (ground.corners(light.clip_from_world), ground.paint()));
     let mut pass = Pass::new();
     pass.clear_color = Some([0.0; 4]);
-    picture.add(&mut pass, &skins, Part::Opaque);
     if let Some((corners, paint)) = &floor {
-        pass.draw(paint, Mesh { vertices: corners, indices: Indices::Sequential }, Ground::state());
+        pass.draw(paint, Mesh { vertices: corners, indices: Indices::Sequential }, Ground::state([width, height]));
     }
+    picture.add(&mut pass, &skins, Part::Opaque);
     picture.add(&mut pass, &skins, Part::Clear);
     picture.add(&mut pass, &skins, Part::Blended);
     let mut pixels = vec![[0.0; 4]; width as usize * height as usize];

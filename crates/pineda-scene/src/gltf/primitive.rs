@@ -10,7 +10,7 @@ use super::skin::Skinning;
 use super::transform::Affine;
 use crate::limits::Budget;
 use crate::text::shown;
-use crate::vector::unit_or_zero;
+use crate::vector::{each, unit_or_zero};
 use crate::{Error, Normals, Object, Vertex};
 
 /// Reads primitives one after the other.
@@ -256,7 +256,7 @@ impl Builder<'_> {
                 scale = skinned.mean_scale();
             }
             object.vertices.push(Vertex {
-                position: world.point(attributes.position.element(i, 0.0)).map(|c| c as f32),
+                position: each(world.point(attributes.position.element(i, 0.0)), |c| c as f32),
                 normal: attributes.normal.as_ref().map_or([0.0; 3], |n| unit_or_zero(normals.apply(n.element(i, 0.0)))),
                 color: attributes.color.as_ref().map_or(Vertex::WHITE, |color| {
                     let channels = color.element(i, 1.0);
@@ -278,7 +278,10 @@ impl Builder<'_> {
             .iter()
             .map(|uvs| {
                 let of = |vertex: usize| match uvs {
-                    Some(uvs) => uvs.element(used.element(vertex), 0.0).map(|c: f64| c as f32),
+                    Some(uvs) => {
+                        let [u, v]: [f64; 2] = uvs.element(used.element(vertex), 0.0);
+                        [u as f32, v as f32]
+                    }
                     None => [0.0; 2],
                 };
                 (0..count).map(of).collect()

@@ -2,7 +2,7 @@
 
 use super::animation::Animated;
 use super::schema::Node;
-use crate::vector::{Vec3, cross, dot};
+use crate::vector::{Vec3, cross, dot, each};
 
 /// An affine map: three rows of a 4 x 4 matrix.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -65,12 +65,12 @@ impl Affine {
     }
 
     pub(crate) fn point(&self, p: Vec3) -> Vec3 {
-        self.rows.map(|[x, y, z, t]| x * p[0] + y * p[1] + z * p[2] + t)
+        each(self.rows, |[x, y, z, t]| x * p[0] + y * p[1] + z * p[2] + t)
     }
 
     /// A direction with its length: not translated.
     pub(super) fn vector(&self, v: Vec3) -> Vec3 {
-        self.linear().map(|row| dot(row, v))
+        each(self.linear(), |row| dot(row, v))
     }
 
     /// How much longer it makes things, on average over directions: the cube root of what it does to volumes.
@@ -98,7 +98,7 @@ impl Affine {
     }
 
     fn linear(&self) -> [Vec3; 3] {
-        self.rows.map(|[x, y, z, _]| [x, y, z])
+        each(self.rows, |[x, y, z, _]| [x, y, z])
     }
 }
 
@@ -111,7 +111,7 @@ pub(super) struct NormalMap {
 
 impl NormalMap {
     pub(super) fn apply(&self, normal: Vec3) -> Vec3 {
-        self.rows.map(|row| dot(row, normal))
+        each(self.rows, |row| dot(row, normal))
     }
 }
 

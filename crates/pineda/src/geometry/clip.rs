@@ -101,9 +101,11 @@ pub(crate) fn clip(projection: &Projection, triangle: &ClipTriangle, screen: [Sc
 
 /// A clipped triangle's positions in the order that clipping takes them in, and which of the given ones each of them is.
 pub(crate) fn canonical_positions(projection: &Projection, positions: [[f32; 4]; 3]) -> ([Homogeneous; 3], [usize; 3]) {
-    let mut keyed = [0, 1, 2].map(|k| (projection.homogeneous(positions[k]), k));
+    let keyed = |k: usize| (projection.homogeneous(positions[k]), k);
+    let mut keyed = [keyed(0), keyed(1), keyed(2)];
     sort(&mut keyed, |(at, _)| *at);
-    (keyed.map(|(at, _)| at), keyed.map(|(_, k)| k))
+    let [(a, i), (b, j), (c, k)] = keyed;
+    ([a, b, c], [i, j, k])
 }
 
 /// Brings the corners into an order that does not depend on the one they were given in. True if that was an odd permutation.
@@ -111,7 +113,7 @@ fn sort<T>(corners: &mut [T; 3], at: impl Fn(&T) -> Homogeneous) -> bool {
     // Adding 0 makes -0 and 0 the same.
     let key = |corner: &T| {
         let Homogeneous { x, y, z, w } = at(corner);
-        [x, y, w, z].map(|v| v + 0.0)
+        [x + 0.0, y + 0.0, w + 0.0, z + 0.0]
     };
     let mut swapped = false;
     for (a, b) in [(0, 1), (1, 2), (0, 1)] {

@@ -95,7 +95,8 @@ impl Projection {
 
     /// The position for the clipper. Exact for raster space; one rounding to f64 an operation for clip space.
     pub(crate) fn homogeneous(&self, position: [f32; 4]) -> Homogeneous {
-        let [x, y, z, w] = position.map(f64::from);
+        let [x, y, z, w] = position;
+        let [x, y, z, w] = [f64::from(x), f64::from(y), f64::from(z), f64::from(w)];
         // In raster space x, y and z are divided by w already.
         let (x, y, z) = match self.space {
             Space::Clip => (x, y, z),

@@ -35,20 +35,22 @@ impl Borders<'_> {
     #[inline(never)]
     pub(crate) fn offsets(&self, call: &dyn DrawCall, run: &RunView<'_>) -> [[i32; 16]; 2] {
         let mut offsets = [[0; 16]; 2];
+        // Neighbours mostly show the same triangle, and one that is clipped is clipped anew.
+        let (mut last, mut parts) = (TriangleId(0), Parts::Wholes);
         let mut rest = self.mask;
         while rest != 0 {
             let lane = rest.trailing_zeros() as usize & 15;
             rest &= rest - 1;
             let (column, row) = ((lane & 3) as i32, (lane >> 2) as i32);
             let center = [(self.x + column) * SUBPIXELS + HALF_PIXEL, (self.y + row) * SUBPIXELS + HALF_PIXEL];
-            [offsets[0][lane], offsets[1][lane]] = self.offset(call, run, TriangleId(self.ids[lane]), center);
+            let id = TriangleId(self.ids[lane]);
+            if id != last {
+                (last, parts) = (id, Parts::of(call, run, id));
+            }
+            [offsets[0][lane], offsets[1][lane]] =
+                first_covered(self.samples, |offset| parts.cover([center[0] + offset[0], center[1] + offset[1]]));
         }
         offsets
-    }
-
-    fn offset(&self, call: &dyn DrawCall, run: &RunView<'_>, id: TriangleId, center: [i32; 2]) -> [i32; 2] {
-        let parts = Parts::of(call, run, id);
-        first_covered(self.samples, |offset| parts.cover([center[0] + offset[0], center[1] + offset[1]]))
     }
 }
 
