@@ -117,11 +117,10 @@ impl Drawing {
 
     /// The first pixel where two drawings are not the same bits, in words.
     pub fn difference(&self, other: &Self) -> Option<String> {
-        let bits = |d: &Self, at: usize| -> (Vec<u32>, Vec<u32>, Vec<u32>) {
-            let float = |values: &[f32]| values.iter().map(|v| v.to_bits()).collect::<Vec<_>>();
-            let ids = [d.triangle_ids[at], d.instance_ids[at], d.draw_ids[at]];
-            let numbers = ids.into_iter().chain([d.hits[at], d.depth[at].to_bits()]).collect();
-            (numbers, float(&d.color[at]), float(&d.barycentrics[at]))
+        let bits = |d: &Self, at: usize| {
+            let ([r, g, b, a], [u, v, w]) = (d.color[at], d.barycentrics[at]);
+            let floats = [d.depth[at], r, g, b, a, u, v, w];
+            ([d.triangle_ids[at], d.instance_ids[at], d.draw_ids[at], d.hits[at]], floats.map(f32::to_bits))
         };
         let at = (0..self.color.len()).find(|&at| bits(self, at) != bits(other, at))?;
         let say = |d: &Self| {

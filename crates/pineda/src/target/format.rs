@@ -50,7 +50,7 @@ impl ColorFormat {
     }
 
     /// The words of a colour; those that a pixel does not have are 0. Inlined, since most who call it know the format when they are compiled.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn encoded(self, color: [f32; 4]) -> [u32; 4] {
         let only = |channels: u8, codes: [u32; 4]| {
             let mut codes = codes;

@@ -7,33 +7,95 @@
 //!
 //! By alpha: a colour counts by its alpha, so that what is transparent does not bleed in. Where all is transparent, colours count alike.
 
-use super::format::{Filterable, numbers};
-use super::image::{Extent, Image};
+use super::format::{Decoded, Filterable, numbers};
+use super::image::{Extent, Image, LEVELS};
 use crate::Error;
+use bytemuck::bytes_of;
+use std::marker::PhantomData;
+use std::ops::{Range, RangeInclusive};
+
+/// Levels that are made of a few rows at a time, so that their colours, as floats, stay in the nearest caches.
+const BAND_LEVELS: u32 = 4;
 
 /// The texels of a full chain.
 pub(super) fn chain<F: Filterable, const BY_ALPHA: bool>(image: &Image<'_, F>) -> Result<Vec<F::Texel>, Error> {
-    let (extent, count) = (image.extent, image.extent.levels());
-    let total: u64 = (0..count).map(|level| extent.level(level).texels()).sum();
+    let (extent, last) = (image.extent, image.extent.levels() - 1);
+    let mut firsts = [0; LEVELS];
+    let mut total = 0u64;
+    for level in 0..=last {
+        firsts[level as usize] = total as usize;
+        total += extent.level(level).texels();
+    }
     if total > i32::MAX as u64 {
         return Err(Error::TextureTooLarge { texels: total });
     }
     let base = &image.texels[..extent.texels() as usize];
     let mut texels = reserved::<F::Texel>(total as usize)?;
     texels.extend_from_slice(base);
-    let mut larger: Vec<[f32; 4]> = Vec::new();
-    for level in 1..count {
-        let (from, to) = (extent.level(level - 1), extent.level(level));
-        let mut smaller = reserved::<[f32; 4]>(to.texels() as usize)?;
-        if level == 1 {
-            halve::<BY_ALPHA>(from, to, &mut smaller, |i| numbers::<F>(base[i], image.decoded));
-        } else {
-            halve::<BY_ALPHA>(from, to, &mut smaller, |i| larger[i]);
+    texels.resize(total as usize, base[0]);
+    let (band, deepest) = band(extent, last);
+    let mut rest = reserved(if deepest < last { extent.level(deepest).texels() as usize } else { 0 })?;
+    let codes = Codes::<F>::new(image.decoded).filter(|_| base.len() >= Codes::<F>::WORTH);
+    for (k, part) in base.chunks_exact(band.texels() as usize).enumerate() {
+        let texel = |i: usize| numbers::<F>(part[i], image.decoded);
+        let rows = |rows: [Range<usize>; 2], out: &mut Vec<_>| match &codes {
+            Some(codes) => codes.halve_rows(rows.map(|row| &part[row]), out),
+            None => halve_rows(rows, texel, out),
+        };
+        let colors = halvings::<BY_ALPHA>(band, 1..=deepest, texel, rows, |level, colors| {
+            store::<F>(colors, &mut texels[firsts[level as usize] + k * colors.len()..]);
+        })?;
+        if deepest < last {
+            rest.extend_from_slice(&colors);
         }
-        texels.extend(smaller.iter().map(|&color| F::nearest(color)));
-        larger = smaller;
+    }
+    if deepest < last {
+        let texel = |i: usize| rest[i];
+        let rows = |rows: [Range<usize>; 2], out: &mut Vec<_>| halve_rows(rows, texel, out);
+        halvings::<BY_ALPHA>(extent.level(deepest), deepest + 1..=last, texel, rows, |level, colors| {
+            store::<F>(colors, &mut texels[firsts[level as usize]..]);
+        })?;
     }
     Ok(texels)
+}
+
+/// What levels are made of at a time, and how many: rows that become one row, and no more. All at once where the height is odd, or slices become fewer.
+fn band(extent: Extent, last: u32) -> (Extent, u32) {
+    match extent.height.trailing_zeros().min(BAND_LEVELS) {
+        _ if extent.is_volume => (extent, last),
+        0 => (extent, last),
+        levels => (Extent { height: 1 << levels, slices: 1, ..extent }, levels),
+    }
+}
+
+/// Makes levels from the colours of the one before, each of which goes to `store`. The result is the last. `rows` makes a row of the first of them from two of even length.
+fn halvings<const BY_ALPHA: bool>(
+    mut from: Extent,
+    levels: RangeInclusive<u32>,
+    texel: impl Fn(usize) -> [f32; 4] + Copy,
+    rows: impl Fn([Range<usize>; 2], &mut Vec<[f32; 4]>) + Copy,
+    mut store: impl FnMut(u32, &[[f32; 4]]),
+) -> Result<Vec<[f32; 4]>, Error> {
+    let mut larger: Vec<[f32; 4]> = Vec::new();
+    for level in levels.clone() {
+        let to = from.level(1);
+        let mut smaller = reserved::<[f32; 4]>(to.texels() as usize)?;
+        if level == *levels.start() {
+            halve::<BY_ALPHA>(from, to, &mut smaller, texel, rows);
+        } else {
+            let texel = |i: usize| larger[i];
+            halve::<BY_ALPHA>(from, to, &mut smaller, texel, |rows, out| halve_rows(rows, texel, out));
+        }
+        store(level, &smaller);
+        (larger, from) = (smaller, to);
+    }
+    Ok(larger)
+}
+
+fn store<F: Filterable>(colors: &[[f32; 4]], texels: &mut [F::Texel]) {
+    for (texel, &color) in texels.iter_mut().zip(colors) {
+        *texel = F::nearest(color);
+    }
 }
 
 fn reserved<T>(length: usize) -> Result<Vec<T>, Error> {
@@ -55,7 +117,13 @@ fn covered(from: u32, to: u32, i: u32) -> (u32, [f64; 3], usize) {
     }
 }
 
-fn halve<const BY_ALPHA: bool>(from: Extent, to: Extent, out: &mut Vec<[f32; 4]>, texel: impl Fn(usize) -> [f32; 4]) {
+fn halve<const BY_ALPHA: bool>(
+    from: Extent,
+    to: Extent,
+    out: &mut Vec<[f32; 4]>,
+    texel: impl Fn(usize) -> [f32; 4] + Copy,
+    rows: impl Fn([Range<usize>; 2], &mut Vec<[f32; 4]>),
+) {
     let (width, height) = (from.width as usize, from.height as usize);
     let columns: Vec<_> = (0..to.width).map(|x| covered(from.width, to.width, x)).collect();
     for z in 0..to.slices {
@@ -63,8 +131,8 @@ fn halve<const BY_ALPHA: bool>(from: Extent, to: Extent, out: &mut Vec<[f32; 4]>
         for y in 0..to.height {
             let (first_y, weights_y, count_y) = covered(from.height, to.height, y);
             if !BY_ALPHA && count_z == 1 && count_y == 2 && from.width.is_multiple_of(2) {
-                let upper = (first_z as usize * height + first_y as usize) * width;
-                halve_rows(width, out, |x| texel(upper + x), |x| texel(upper + width + x));
+                let first = (first_z as usize * height + first_y as usize) * width;
+                rows([first..first + width, first + width..first + 2 * width], out);
                 continue;
             }
             for &(first_x, weights_x, count_x) in &columns {
@@ -96,21 +164,54 @@ fn halve<const BY_ALPHA: bool>(from: Extent, to: Extent, out: &mut Vec<[f32; 4]>
 }
 
 /// Of two rows, what most textures have everywhere: means of two by two texels. The same sums in the same order as above, of which the compiler knows the length here.
-fn halve_rows(
-    width: usize,
-    out: &mut Vec<[f32; 4]>,
-    upper: impl Fn(usize) -> [f32; 4],
-    lower: impl Fn(usize) -> [f32; 4],
-) {
-    out.extend((0..width / 2).map(|x| {
-        let mut sums = [0.0; 4];
-        for color in [upper(2 * x), upper(2 * x + 1), lower(2 * x), lower(2 * x + 1)] {
-            for (sum, channel) in sums.iter_mut().zip(color) {
-                *sum += 0.25 * f64::from(channel);
-            }
-        }
-        rounded(sums)
+fn halve_rows([upper, lower]: [Range<usize>; 2], texel: impl Fn(usize) -> [f32; 4] + Copy, out: &mut Vec<[f32; 4]>) {
+    out.extend((0..upper.len() / 2).map(|x| {
+        let (upper, lower) = (upper.start + 2 * x, lower.start + 2 * x);
+        let [a, b, c, d] = [texel(upper), texel(upper + 1), texel(lower), texel(lower + 1)];
+        let mean = |k: usize| {
+            let part = |color: [f32; 4]| 0.25 * f64::from(color[k]);
+            (((0.0 + part(a)) + part(b)) + part(c)) + part(d)
+        };
+        rounded([mean(0), mean(1), mean(2), mean(3)])
     }));
+}
+
+/// A quarter of what each code of a channel of 8 bits stands for: the first level of such formats is a sum of four looked up.
+struct Codes<F> {
+    quarters: Box<[[f64; 256]; 4]>,
+    format: PhantomData<F>,
+}
+
+impl<F: Filterable> Codes<F> {
+    /// Texels of level 0 from which on the table pays.
+    const WORTH: usize = 4096;
+
+    /// `None` for formats of other channels.
+    fn new(decoded: &Decoded) -> Option<Self> {
+        if size_of::<F::Channel>() != 1 {
+            return None;
+        }
+        let mut quarters = Box::new([[0.0; 256]; 4]);
+        for code in 0..=255u8 {
+            let color = numbers::<F>(*bytemuck::from_bytes(&[code; 4][..F::CHANNELS]), decoded);
+            (0..4).for_each(|k| quarters[k][usize::from(code)] = 0.25 * f64::from(color[k]));
+        }
+        Some(Self { quarters, format: PhantomData })
+    }
+
+    /// As [`halve_rows`]. (No code stands for -0, so that there is no difference whether a sum begins with 0.)
+    fn halve_rows(&self, [upper, lower]: [&[F::Texel]; 2], out: &mut Vec<[f32; 4]>) {
+        let (upper, lower) = (upper.as_chunks::<2>().0, lower.as_chunks::<2>().0);
+        out.extend((0..upper.len().min(lower.len())).map(|x| {
+            let ([a, b], [c, d]) = (&upper[x], &lower[x]);
+            let mean = |k: usize| {
+                // A channel that the format lacks is the same for all codes.
+                let quarter = |texel: &F::Texel| self.quarters[k][usize::from(bytes_of(texel)[k % F::CHANNELS])];
+                ((quarter(a) + quarter(b)) + quarter(c)) + quarter(d)
+            };
+            rounded([mean(0), mean(1), mean(2), mean(3)])
+        }));
+    }
 }
 
 #[inline(always)]
