@@ -221,7 +221,8 @@ fn rounded([r, g, b, a]: [f64; 4]) -> [f32; 4] {
 
 #[cfg(test)]
 mod tests {
-    use crate::texture::{R32F, Rgba8, Rgba8Srgb, Texture2d, Texture3d};
+    use super::{Codes, Filterable, numbers};
+    use crate::texture::{R32F, Rgba8, Rgba8Srgb, Rgba32F, Texture2d, Texture2dArray, Texture3d};
 
     fn floats(texture: &Texture2d<'_, R32F>, level: u32) -> Vec<f32> {
         texture.texels(level).to_vec()
@@ -263,6 +264,47 @@ mod tests {
             })
             .collect();
         assert_eq!(floats(&texture, 1), expected);
+    }
+
+    #[test]
+    fn bands_of_rows_give_the_means_of_all() {
+        // Heights that are halved in bands, and then as wholes; small integers, whose sums are exact.
+        for (width, height, layers) in [(8u32, 64u32, 1u32), (4, 32, 3), (64, 64, 2), (2, 16, 1), (1, 32, 1)] {
+            let texels: Vec<f32> =
+                (0..width * height * layers).map(|k| f32::from(k.wrapping_mul(40_503) as u8)).collect();
+            let texture = Texture2dArray::<R32F>::new(width, height, layers, &texels).unwrap().with_mips().unwrap();
+            for level in 0..texture.levels() {
+                let [across, down] = [width, height].map(|size| size >> level.min(size.ilog2()));
+                let [wide, high] = [width / across, height / down];
+                let expected = (0..across * down * layers).map(|k| {
+                    let (x, y) = (k % across * wide, k / across * high);
+                    let sum: f32 =
+                        (0..wide * high).map(|i| texels[((y + i / wide) * width + x + i % wide) as usize]).sum();
+                    sum / (wide * high) as f32
+                });
+                assert!(expected.eq(texture.texels(level).iter().copied()), "{width} x {height}, level {level}");
+            }
+        }
+    }
+
+    #[test]
+    fn codes_looked_up_are_halved_as_numbers_are() {
+        fn check<F: Filterable<Texel = [u8; 4]>>(width: u32, height: u32) {
+            let codes: Vec<[u8; 4]> =
+                (0..width * height).map(|k| k.wrapping_mul(2_654_435_761).to_le_bytes()).collect();
+            assert!(codes.len() >= Codes::<F>::WORTH);
+            let decoded: Vec<_> =
+                codes.iter().map(|&texel| numbers::<F>(texel, crate::texture::format::decoded::<F>())).collect();
+            let looked_up = Texture2d::<F>::new(width, height, codes).unwrap().with_mips().unwrap();
+            let computed = Texture2d::<Rgba32F>::new(width, height, decoded).unwrap().with_mips().unwrap();
+            for level in 1..looked_up.levels() {
+                let expected: Vec<_> = computed.texels(level).iter().map(|&color| F::nearest(color)).collect();
+                assert_eq!(looked_up.texels(level), expected, "level {level}");
+            }
+        }
+        check::<Rgba8>(64, 64);
+        check::<Rgba8Srgb>(64, 96);
+        check::<Rgba8Srgb>(62, 70);
     }
 
     #[test]

@@ -3,6 +3,7 @@
 use crate::common::{HEIGHT, Layer, PIXELS, WIDTH, channel, second_of, settings};
 use pineda::*;
 use pineda_oracle::cases::Random;
+use std::sync::LazyLock;
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Format {
@@ -69,6 +70,14 @@ pub(crate) fn linear(code: f64) -> f64 {
     if v <= 0.040_45 { v / 12.92 } else { ((v + 0.055) / 1.055).powf(2.4) }
 }
 
+/// Half-way from each code to the next.
+static HALFWAY: LazyLock<[f64; 255]> = LazyLock::new(|| std::array::from_fn(|code| linear(code as f64 + 0.5)));
+
+/// The code that is nearest on the curve.
+pub(crate) fn srgb_code(x: f32) -> u8 {
+    HALFWAY.iter().take_while(|&&halfway| f64::from(x) >= halfway).count() as u8
+}
+
 impl Format {
     fn decoded(self, codes: [u8; 4]) -> [f32; 4] {
         [0, 1, 2, 3].map(|k| match self {
@@ -81,9 +90,7 @@ impl Format {
         [0, 1, 2, 3].map(|k| {
             let x = clamped(color[k]);
             match self {
-                Self::Srgb if k < 3 => {
-                    (0..255).find(|&code| f64::from(x) < linear(f64::from(code) + 0.5)).unwrap_or(255)
-                }
+                Self::Srgb if k < 3 => srgb_code(x),
                 _ => (x * 255.0 + 0.5) as u8,
             }
         })

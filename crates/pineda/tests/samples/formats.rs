@@ -1,6 +1,6 @@
 //! Colour buffers of every format, by references that know nothing of how the rasterizer stores them.
 
-use crate::blending::{blended, clamped, linear};
+use crate::blending::{blended, clamped, linear, srgb_code};
 use crate::common::{PIXELS, channel};
 use pineda::*;
 use pineda_oracle::cases::Random;
@@ -131,7 +131,7 @@ impl Picture {
     fn encoded(&self, k: usize, x: f32) -> u32 {
         let unit = clamped(x);
         match self.format.0 {
-            Srgb8 if k < 3 => (0..255).find(|&code| f64::from(unit) < linear(f64::from(code) + 0.5)).unwrap_or(255),
+            Srgb8 if k < 3 => srgb_code(unit).into(),
             Unorm8 | Srgb8 => (unit * 255.0 + 0.5) as u32,
             Unorm16 => {
                 // Exactly: 24 bits of mantissa times 16 bits.
