@@ -8,6 +8,7 @@ use exr::prelude::{Image, SpecificChannels, Vec2, WritableImage};
 use flate2::{Compression, write::ZlibEncoder};
 use png::chunk::IDAT;
 use png::{BitDepth, ColorType, DeflateCompression, SrgbRenderingIntent};
+use std::borrow::Cow;
 use std::io::{Cursor, Write};
 
 /// Half or less of the time of the library's usual level, 6, for files that are somewhat larger.
@@ -27,10 +28,10 @@ impl Picture {
 
     fn png(&self) -> Result<Vec<u8>, Failure> {
         let (color, depth, data) = match &self.pixels {
-            Pixels::Rgb8(p) => (ColorType::Rgb, BitDepth::Eight, p.as_flattened().to_vec()),
-            Pixels::Rgba8(p) => (ColorType::Rgba, BitDepth::Eight, p.as_flattened().to_vec()),
-            Pixels::Gray16(p) => (ColorType::Grayscale, BitDepth::Sixteen, big_endian(p)),
-            Pixels::Rgba16(p) => (ColorType::Rgba, BitDepth::Sixteen, big_endian(p.as_flattened())),
+            Pixels::Rgb8(p) => (ColorType::Rgb, BitDepth::Eight, Cow::from(p.as_flattened())),
+            Pixels::Rgba8(p) => (ColorType::Rgba, BitDepth::Eight, Cow::from(p.as_flattened())),
+            Pixels::Gray16(p) => (ColorType::Grayscale, BitDepth::Sixteen, big_endian(p).into()),
+            Pixels::Rgba16(p) => (ColorType::Rgba, BitDepth::Sixteen, big_endian(p.as_flattened()).into()),
             Pixels::Rgba32F(_) => return Err(cannot_hold("PNG", "floats")),
         };
         let mut bytes = Vec::new();
@@ -106,12 +107,17 @@ impl Picture {
 
 /// What a PNG's `IDAT` holds, without filters. The library gives its compressor a row at a time, which clears 32 KiB for each.
 fn unfiltered(data: &[u8], row: usize) -> std::io::Result<Vec<u8>> {
-    let mut rows = Vec::with_capacity(data.len() + data.len() / row);
+    const AT_A_TIME: usize = 1 << 20;
+    let mut compressor = ZlibEncoder::new(Vec::new(), Compression::new(PNG_LEVEL.into()));
+    let mut rows = Vec::new();
     for row in data.chunks_exact(row) {
         rows.push(0);
         rows.extend_from_slice(row);
+        if rows.len() >= AT_A_TIME {
+            compressor.write_all(&rows)?;
+            rows.clear();
+        }
     }
-    let mut compressor = ZlibEncoder::new(Vec::new(), Compression::new(PNG_LEVEL.into()));
     compressor.write_all(&rows)?;
     compressor.finish()
 }

@@ -35,7 +35,8 @@ pub(super) fn chain<F: Filterable, const BY_ALPHA: bool>(image: &Image<'_, F>) -
     texels.resize(total as usize, base[0]);
     let (band, deepest) = band(extent, last);
     let mut rest = reserved(if deepest < last { extent.level(deepest).texels() as usize } else { 0 })?;
-    let codes = Codes::<F>::new(image.decoded).filter(|_| base.len() >= Codes::<F>::WORTH);
+    let pays = !BY_ALPHA && base.len() >= Codes::<F>::WORTH;
+    let codes = if pays { Codes::<F>::new(image.decoded) } else { None };
     for (k, part) in base.chunks_exact(band.texels() as usize).enumerate() {
         let texel = |i: usize| numbers::<F>(part[i], image.decoded);
         let rows = |rows: [Range<usize>; 2], out: &mut Vec<_>| match &codes {
