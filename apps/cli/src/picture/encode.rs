@@ -174,6 +174,18 @@ mod tests {
         }
     }
 
+    /// 1,260,000 bytes of rows, which the compressor gets in two parts.
+    #[test]
+    fn picture_as_png_is_read_back_when_it_is_large() {
+        let size = Size { width: 700, height: 600 };
+        let pixels: Vec<_> = (0..700 * 600_u32).map(|i| [i as u8, (i >> 8) as u8, (i % 251) as u8]).collect();
+        let bytes = Picture { size, pixels: Pixels::Rgb8(pixels.clone()) }.encode(PictureFormat::Png, 90).unwrap();
+        let mut reader = png::Decoder::new(Cursor::new(bytes)).read_info().unwrap();
+        let mut data = vec![0; reader.output_buffer_size().unwrap()];
+        reader.next_frame(&mut data).unwrap();
+        assert!(data == pixels.as_flattened());
+    }
+
     #[test]
     fn picture_as_webp_is_read_back() {
         let pixels = vec![[9, 8, 7, 0], [255, 0, 7, 130]];
