@@ -7,6 +7,10 @@ use crate::raster::bins::BinEntry;
 use crate::raster::record::SmallTriangle;
 use crate::wide::{Simd, f32x16, mask32x16};
 
+/// So many records are fetched one right after the other, before any of them is used. A bin's records lie apart, and what is done with one takes so many instructions that the processor
+/// reaches the next few only while it waits for memory (`micro`: 1.05).
+const AT_ONCE: usize = 32;
+
 /// Hands over the samples of small triangles, one after the other: those of one block mostly, of four at the most.
 ///
 /// A function of its own, because among those of other kinds there are too few registers for what stays the same from one triangle to the next (a quarter fewer instructions for the coverage of `micro`).
@@ -23,13 +27,24 @@ pub(crate) fn small<S: Simd, K: Sink<S>>(
         || {
             let lanes = BlockLanes::new(s);
             let (stride, first_block) = (view.stride, view.first_block());
-            let mut i = 0;
-            while i < entries.len() {
-                let t = &triangles[entries[i].index()];
-                let (x, y, plane) = t.place();
-                let block = first_block.wrapping_add(x + y * stride) + view.plane(plane);
-                one(s, t, block, stride, &lanes, sink);
-                i += 1;
+            let mut near = [SmallTriangle([0; 8]); AT_ONCE];
+            let mut rest = entries;
+            while !rest.is_empty() {
+                let (some, others) = rest.split_at(rest.len().min(AT_ONCE));
+                rest = others;
+                let mut i = 0;
+                while i < some.len() {
+                    near[i] = triangles[some[i].index()];
+                    i += 1;
+                }
+                i = 0;
+                while i < some.len() {
+                    let t = &near[i];
+                    let (x, y, plane) = t.place();
+                    let block = first_block.wrapping_add(x + y * stride) + view.plane(plane);
+                    one(s, t, block, stride, &lanes, sink);
+                    i += 1;
+                }
             }
         },
     );
